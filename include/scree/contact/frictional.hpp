@@ -1,0 +1,179 @@
+#pragma once
+/// \file
+/// The part that all laws share: a spring and dashpot in normal and tangential direction, Coulomb's limit, and the
+/// places where extensions join in.
+///
+/// An extension is a small type with, each optional but the first,
+///
+///     static constexpr int history_size;                       // may be 0
+///     static constexpr std::array<int, history_size> history_parity;
+///     // Changes the normal force [N] before the friction limit is taken from it.
+///     template <class T> T normal(const PairMaterial<T>&, const Kinematics<T>&, T normal_force,
+///                                 std::span<T, history_size> history) const;
+///     // Adds to the couple on i [N m].
+///     template <class T> Vec3<T> couple(const PairMaterial<T>&, const Kinematics<T>&, T normal_stiffness,
+///                                       T normal_force, std::span<T, history_size> history, T& frictional_work) const;
+///
+/// With its parameter at the null value it must leave the base law's result as it is, to the bit.
+
+#include "scree/contact/concept.hpp"
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <tuple>
+#include <utility>
+
+namespace scree {
+
+template <class E>
+concept LawExtension = std::copyable<E> && HasHistory<E>;
+
+/// What a normal model (Linear, Hertz) says of one contact. Stiffness of 0 in shear means no tangential spring.
+template <class T>
+struct SpringDashpot {
+  T normal_force;            ///< N, elastic
+  T normal_stiffness;        ///< N/m, tangent
+  T shear_stiffness;         ///< N/m, tangent
+  T inverse_shear_stiffness; ///< m/N
+  T normal_damping;          ///< N s/m
+  T shear_damping;           ///< N s/m
+};
+
+/// Turns a tangential vector with its contact: by the mean spin about the normal, then into the plane normal to it,
+/// at unchanged length.
+template <class T>
+Vec3<T> turned_with_contact(const Vec3<T>& spring, const Kinematics<T>& k) {
+  const T twist = T(0.5) * dot(k.spin_i + k.spin_j, k.normal) * k.dt;
+  const Vec3<T> twisted = spring + cross(k.normal, spring) * twist;
+  const Vec3<T> flat = twisted - k.normal * dot(twisted, k.normal);
+  const T before = squared_norm(spring), after = squared_norm(flat);
+  const auto some = after > T(0);
+  const T stretch = select(some, square_root(before / select(some, after, T(1))), T(0));
+  return flat * stretch;
+}
+
+/// A contact law made of a normal model and any number of extensions.
+///
+/// Tangential force: F_s = s - c_s v_t with the spring force s turned with the contact and s' = s - k_s v_t dt; where
+/// |F_s| exceeds mu F_n it slides at that limit and the spring keeps what the limit leaves (Coetzee et al. 2010
+/// Eq. (2), in three dimensions).
+///
+/// History: three numbers of the tangential spring force [N], those of the normal model, those of each extension.
+template <class NormalModel, LawExtension... Extensions>
+class FrictionalLaw {
+  static constexpr int own = 3 + NormalModel::history_size;
+
+public:
+  static constexpr int history_size = (own + ... + Extensions::history_size);
+  static constexpr std::array<int, history_size> history_parity = [] {
+    std::array<int, history_size> parity{};
+    int at = 0;
+    const auto append = [&](const auto& part) {
+      for (const int p : part) {
+        parity[static_cast<std::size_t>(at++)] = p;
+      }
+    };
+    append(std::array{-1, -1, -1});
+    append(NormalModel::history_parity);
+    (append(Extensions::history_parity), ...);
+    return parity;
+  }();
+
+  FrictionalLaw() = default;
+  explicit FrictionalLaw(const Extensions&... extensions)
+    requires(sizeof...(Extensions) > 0)
+      : extensions_{extensions...} {}
+
+  /// The parameters of one extension.
+  template <class E>
+  [[nodiscard]] const E& extension() const {
+    return std::get<E>(extensions_);
+  }
+
+  void check(const PairMaterial<double>& pair, std::string_view names) const { NormalModel::check(pair, names); }
+
+  [[nodiscard]] ContactStiffness stiffness(const PairMaterial<double>& pair, double reduced_radius,
+                                           double reduced_mass, double speed) const {
+    return NormalModel::stiffness(pair, reduced_radius, reduced_mass, speed);
+  }
+
+  [[nodiscard]] double elastic_energy(const PairMaterial<double>& pair, double reduced_radius, double overlap,
+                                      std::span<const double, static_cast<std::size_t>(history_size)> h) const {
+    const double spring = h[0] * h[0] + h[1] * h[1] + h[2] * h[2];
+    return NormalModel::elastic_energy(pair, reduced_radius, overlap) +
+           0.5 * spring * NormalModel::inverse_shear_stiffness(pair, reduced_radius, overlap);
+  }
+
+  template <class T>
+  ContactForce<T> evaluate(const PairMaterial<T>& pair, const Kinematics<T>& k,
+                           std::array<T, static_cast<std::size_t>(history_size)>& history) const {
+    Vec3<T> spring = turned_with_contact(Vec3<T>{history[0], history[1], history[2]}, k);
+    const SpringDashpot<T> at = NormalModel::evaluate(pair, k, spring, part<3, NormalModel::history_size>(history));
+
+    const T normal_speed = dot(k.velocity, k.normal);
+    const Vec3<T> slip_velocity = k.velocity - k.normal * normal_speed;
+    ContactForce<T> out;
+    out.normal = at.normal_force - at.normal_damping * normal_speed;
+    for_each_extension(history, [&](const auto& extension, auto own_history) {
+      if constexpr (requires { extension.normal(pair, k, out.normal, own_history); }) {
+        out.normal = extension.normal(pair, k, out.normal, own_history);
+      }
+    });
+
+    const T limit = pair.friction * larger(out.normal, T(0));
+    const Vec3<T> trial = spring - slip_velocity * (at.shear_stiffness * k.dt);
+    const Vec3<T> drag = slip_velocity * -at.shear_damping;
+    const Vec3<T> wanted = trial + drag;
+    const T wanted2 = squared_norm(wanted);
+    const auto sliding = wanted2 > limit * limit;
+    const T share = select(sliding, limit / square_root(select(sliding, wanted2, T(1))), T(1));
+    out.tangential = wanted * share;
+    const Vec3<T> kept{select(sliding, out.tangential.x - drag.x, trial.x),
+                       select(sliding, out.tangential.y - drag.y, trial.y),
+                       select(sliding, out.tangential.z - drag.z, trial.z)};
+    history[0] = kept.x;
+    history[1] = kept.y;
+    history[2] = kept.z;
+    // Of the tangential displacement, -(kept - spring)/k_s loads the spring and the rest slides.
+    out.frictional_work = dot(out.tangential, trial - kept) * at.inverse_shear_stiffness;
+    out.viscous_work = at.normal_damping * normal_speed * normal_speed * k.dt +
+                       dot(drag, kept - spring) * at.inverse_shear_stiffness;
+    for_each_extension(history, [&](const auto& extension, auto own_history) {
+      if constexpr (requires(T work) {
+                      extension.couple(pair, k, at.normal_stiffness, out.normal, own_history, work);
+                    }) {
+        out.couple += extension.couple(pair, k, at.normal_stiffness, out.normal, own_history, out.frictional_work);
+      }
+    });
+    return out;
+  }
+
+private:
+  template <int first, int count, class T>
+  static std::span<T, static_cast<std::size_t>(count)>
+  part(std::array<T, static_cast<std::size_t>(history_size)>& history) {
+    return std::span<T, static_cast<std::size_t>(count)>{history.data() + first, static_cast<std::size_t>(count)};
+  }
+
+  /// Number of the first history value of the extension at `index`.
+  static constexpr int begin_of(std::size_t index) {
+    constexpr std::array<int, sizeof...(Extensions) + 1> sizes{Extensions::history_size..., 0};
+    int at = own;
+    for (std::size_t k = 0; k < index; ++k) {
+      at += sizes[k];
+    }
+    return at;
+  }
+
+  template <class T, class Visit>
+  void for_each_extension(std::array<T, static_cast<std::size_t>(history_size)>& history, Visit visit) const {
+    [&]<std::size_t... index>(std::index_sequence<index...>) {
+      (visit(std::get<index>(extensions_), part<begin_of(index), Extensions::history_size>(history)), ...);
+    }(std::index_sequence_for<Extensions...>{});
+  }
+
+  [[no_unique_address]] std::tuple<Extensions...> extensions_;
+};
+
+} // namespace scree

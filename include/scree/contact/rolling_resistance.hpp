@@ -1,0 +1,41 @@
+#pragma once
+/// \file
+/// Resistance of a contact to rolling.
+
+#include "scree/contact/frictional.hpp"
+
+namespace scree {
+
+/// Elastic-plastic rolling spring (model C of Ai, Chen, Rotter & Ooi, Powder Technol. 206:269, 2011, without its
+/// dashpot): the couple grows by k_r times the relative rolling, k_r = 2.25 k_n mu_r^2 R*^2, up to mu_r R* F_n.
+/// `Material::rolling_friction` is mu_r; 0 gives the base law to the bit.
+///
+/// History: the rolling couple on i [N m].
+struct RollingResistance {
+  static constexpr int history_size = 3;
+  static constexpr std::array<int, 3> history_parity{-1, -1, -1};
+
+  template <class T>
+  Vec3<T> couple(const PairMaterial<T>& pair, const Kinematics<T>& k, T normal_stiffness, T normal_force,
+                 std::span<T, 3> history, T& frictional_work) const {
+    const Vec3<T> old = turned_with_contact(Vec3<T>{history[0], history[1], history[2]}, k);
+    const Vec3<T> spin = k.spin_i - k.spin_j;
+    const Vec3<T> rolling = spin - k.normal * dot(spin, k.normal);
+    const T reach = pair.rolling_friction * k.reduced_radius;
+    const T stiffness = T(2.25) * normal_stiffness * reach * reach;
+    const T limit = reach * larger(normal_force, T(0));
+    const Vec3<T> trial = old - rolling * (stiffness * k.dt);
+    const T size2 = squared_norm(trial);
+    const auto over = size2 > limit * limit;
+    const T share = select(over, limit / square_root(select(over, size2, T(1))), T(1));
+    const Vec3<T> kept = trial * share;
+    history[0] = kept.x;
+    history[1] = kept.y;
+    history[2] = kept.z;
+    const auto some = stiffness > T(0);
+    frictional_work += select(some, dot(kept, trial - kept) / select(some, stiffness, T(1)), T(0));
+    return kept;
+  }
+};
+
+} // namespace scree

@@ -1,0 +1,27 @@
+#pragma once
+/// \file
+/// The few operations that a contact law needs beside arithmetic, so that one source serves a plain number and a
+/// pack of them: a pack type brings its own overloads, found by argument-dependent lookup.
+
+#include <cmath>
+#include <concepts>
+
+namespace scree {
+
+/// `yes` where `condition` holds, `no` elsewhere. A law has no branches on contacts.
+template <std::floating_point T>
+constexpr T select(bool condition, T yes, T no) {
+  return condition ? yes : no;
+}
+
+template <std::floating_point T>
+constexpr T larger(T a, T b) {
+  return a > b ? a : b;
+}
+
+template <std::floating_point T>
+T square_root(T a) {
+  return std::sqrt(a);
+}
+
+} // namespace scree

@@ -1,0 +1,109 @@
+#pragma once
+/// \file
+/// The compile-time choice of physics: named slots in one struct.
+
+#include "scree/contact/linear_spring.hpp"
+#include "scree/integrators/leapfrog.hpp"
+#include "scree/neighbours/cell_grid.hpp"
+#include "scree/neighbours/verlet_list.hpp"
+#include "scree/walls/fixed.hpp"
+#include "scree/walls/force_controlled.hpp"
+#include "scree/walls/prescribed.hpp"
+#include "scree/walls/rope_coupled.hpp"
+#include "scree/walls/wall.hpp"
+
+#include <type_traits>
+#include <variant>
+
+namespace scree {
+
+/// What a model takes where it does not say otherwise:
+///
+///     struct BucketFill : scree::DefaultModel {
+///       using Contact = scree::LinearSpring<scree::RollingResistance>;
+///     };
+///     scree::Simulation<BucketFill> simulation{{.local_damping = 0.1}};
+struct DefaultModel {
+  /// Of velocities, forces and histories: float or double. Positions are always double.
+  using Real = double;
+  /// See contact/concept.hpp.
+  using Contact = LinearSpring<>;
+  /// See neighbours/concept.hpp.
+  using Neighbours = VerletList<CellGrid>;
+  /// See integrators/concept.hpp.
+  using Integrator = Leapfrog;
+  /// The kinds of wall that may be added; see walls/concept.hpp.
+  using Walls = scree::Walls<Fixed, Prescribed, ForceControlled, RopeCoupled>;
+  /// Whether the work of friction, dashpots and local damping is summed.
+  static constexpr bool energy_audit = true;
+};
+
+namespace detail {
+
+/// States every requirement by itself, so that the compiler's message names the operation that is missing.
+template <class Model>
+struct ModelCheck {
+  using Real = typename Model::Real;
+  using Contact = typename Model::Contact;
+  using Neighbours = typename Model::Neighbours;
+  using Integrator = typename Model::Integrator;
+
+  static_assert(std::is_same_v<Real, double> || std::is_same_v<Real, float>,
+                "scree: Model::Real must be float or double");
+
+  static_assert(HasHistory<Contact>, "scree: Model::Contact is missing history_size and history_parity "
+                                     "(contact/concept.hpp)");
+  static_assert(ChecksMaterials<Contact>, "scree: Model::Contact is missing check(pair, names) (contact/concept.hpp)");
+  static_assert(StatesStiffness<Contact>, "scree: Model::Contact is missing stiffness(pair, reduced_radius, "
+                                          "reduced_mass, speed) (contact/concept.hpp)");
+  static_assert(StatesEnergy<Contact>, "scree: Model::Contact is missing elastic_energy(pair, reduced_radius, overlap, "
+                                       "history) (contact/concept.hpp)");
+  static_assert(EvaluatesForce<Contact, Real>, "scree: Model::Contact is missing evaluate(pair, kinematics, history) "
+                                               "returning ContactForce<T> (contact/concept.hpp)");
+
+  static_assert(StatesSkin<Neighbours>,
+                "scree: Model::Neighbours is missing skin(smallest_radius) (neighbours/concept.hpp)");
+  static_assert(FindsCandidates<Neighbours>, "scree: Model::Neighbours is missing find(balls, owned, margin, workers, "
+                                             "rows) (neighbours/concept.hpp)");
+
+  static_assert(Translates<Integrator, Real>, "scree: Model::Integrator is missing translate(position, velocity, "
+                                              "acceleration, step) (integrators/concept.hpp)");
+  static_assert(Rotates<Integrator>, "scree: Model::Integrator is missing rotate(orientation, angular_velocity, "
+                                     "moment, inertia, step) (integrators/concept.hpp)");
+
+  template <class Dynamics>
+  static constexpr bool check_walls(const std::variant<Dynamics>*) {
+    static_assert(StartsWall<Dynamics>, "scree: a wall dynamics of Model::Walls is missing start(motion, step) "
+                                        "(walls/concept.hpp)");
+    static_assert(AdvancesWall<Dynamics>, "scree: a wall dynamics of Model::Walls is missing advance(motion, load, "
+                                          "step) (walls/concept.hpp)");
+    static_assert(std::copyable<Dynamics>, "scree: a wall dynamics of Model::Walls cannot be copied "
+                                           "(walls/concept.hpp)");
+    return true;
+  }
+  template <class... Dynamics>
+  static constexpr bool check_all_walls(const std::variant<Dynamics...>*) {
+    return (check_walls(static_cast<const std::variant<Dynamics>*>(nullptr)) && ...);
+  }
+  static constexpr bool holds = check_all_walls(static_cast<const typename Model::Walls::Any*>(nullptr));
+};
+
+} // namespace detail
+
+/// What a simulation is given at its start; every field has a default.
+template <class Model = DefaultModel>
+struct Setup {
+  typename Model::Contact contact{};             ///< the law with the parameters of its extensions
+  typename Model::Neighbours neighbours{};       ///< the search with its parameters
+  Stiffness stiffness = Stiffness::of_particle;  ///< what the stiffness of a material stands for
+  Vector gravity = Vector{0.0, 0.0, -9.81};      ///< m/s2
+  Vector period = Vector::Zero();                ///< m, from 0 in each direction; 0: not periodic
+  double time_step = 0.0;                        ///< s; 0: the stable one
+  double step_safety = 0.5;                      ///< share of the critical time step that counts as stable, in (0, 1]
+  double top_speed = 1.0;                        ///< m/s, of impacts, for the stiffness of Hertzian contacts, above 0
+  double local_damping = 0.0;                    ///< non-viscous, alpha in [0, 1): F_d = -alpha |F| sign(v)
+  unsigned threads = 1;                          ///< 0: one for each processor
+  std::size_t sort_interval = 5000;              ///< steps between sorting the bodies by place; 0: never
+};
+
+} // namespace scree

@@ -1,0 +1,106 @@
+#pragma once
+/// \file
+/// The loop over pairs of grains: where the time goes.
+
+#include "scree/contact/concept.hpp"
+#include "scree/core/numeric.hpp"
+#include "scree/simulation/domain.hpp"
+#include "scree/simulation/tally.hpp"
+#include "scree/state/blocks.hpp"
+
+#include <cmath>
+#include <span>
+
+namespace scree {
+
+/// A touching pair as its law sees it, and the levers of the contact point.
+template <class Real>
+struct Touch {
+  Kinematics<Real> kinematics;
+  Real arm_i, arm_j; ///< m, from the centres to the contact point, in the middle of the overlap
+};
+
+/// The kinematics of two spheres whose centres are `apart` (i minus j) at a distance below the sum of the radii.
+template <class Real>
+Touch<Real> touch_of(const SphereRecord<Real>& i, const SphereRecord<Real>& j, const Vec3<double>& apart,
+                     double squared_distance, Real dt) {
+  const double distance = std::sqrt(squared_distance);
+  const double overlap = i.radius + j.radius - distance;
+  Touch<Real> out;
+  Kinematics<Real>& k = out.kinematics;
+  k.normal = (apart * (1.0 / distance)).template as<Real>();
+  k.overlap = static_cast<Real>(overlap);
+  out.arm_i = static_cast<Real>(i.radius - 0.5 * overlap);
+  out.arm_j = static_cast<Real>(j.radius - 0.5 * overlap);
+  k.spin_i = i.angular_velocity;
+  k.spin_j = j.angular_velocity;
+  k.velocity =
+      i.velocity - j.velocity - cross(i.angular_velocity * out.arm_i + j.angular_velocity * out.arm_j, k.normal);
+  k.reduced_radius = static_cast<Real>(i.radius * j.radius / (i.radius + j.radius));
+  k.reduced_mass = Real{1} / (i.inverse_mass + j.inverse_mass);
+  k.dt = dt;
+  return out;
+}
+
+/// Adds the forces of all pairs whose first sphere is in `block` to the spheres of the block; those on spheres of later
+/// blocks go to `slots`. `pair_material(a, b)` gives the constants of two materials.
+template <bool periodic, bool audit, ContactLaw Law, class Real, class PairMaterials>
+void add_pair_forces(const Block& block, const Law& law, const PairMaterials& pair_material, const Domain& domain,
+                     Real dt, Bodies<Real>& bodies, PairList<Real, Law::history_size>& pairs,
+                     std::span<ForceRecord<Real>> slots, Dissipation& lost) {
+  const std::span<const SphereRecord<Real>> spheres = std::as_const(bodies).spheres();
+  const std::span<ForceRecord<Real>> forces = bodies.forces();
+  std::size_t slot = block.first_slot;
+  Real friction = 0, viscous = 0;
+  for (std::size_t i = block.first_sphere; i < block.end_sphere; ++i) {
+    const SphereRecord<Real>& own = spheres[i];
+    ForceRecord<Real> sum = forces[i];
+    const std::size_t end = pairs.begin_of(i + 1);
+    for (std::size_t pair = pairs.begin_of(i); pair < end; ++pair) {
+      const Partner partner = pairs.partner(pair);
+      const std::size_t j = partner.sphere;
+      const SphereRecord<Real>& other = spheres[j];
+      const bool crosses = j >= block.end_sphere;
+      Vec3<double> apart = own.position - other.position;
+      if constexpr (periodic) {
+        apart -= domain.shift(partner.image);
+      }
+      const double d2 = squared_norm(apart);
+      const double reach = own.radius + other.radius;
+      if (d2 >= reach * reach) {
+        pairs.end_contact(pair);
+        if (crosses) {
+          slots[slot++] = {};
+        }
+        continue;
+      }
+      pairs.begin_contact(pair);
+      const Touch<Real> touch = touch_of(own, other, apart, d2, dt);
+      const Kinematics<Real>& k = touch.kinematics;
+      const ContactForce<Real> f = law.evaluate(pair_material(own.material, other.material), k, pairs.history(pair));
+      const Vec3<Real> force = k.normal * f.normal + f.tangential;
+      const Vec3<Real> turn = cross(k.normal, f.tangential);
+      sum.force += force;
+      sum.torque += f.couple - turn * touch.arm_i;
+      const Vec3<Real> on_other = -force;
+      const Vec3<Real> torque_on_other = -f.couple - turn * touch.arm_j;
+      if (crosses) {
+        slots[slot++] = {on_other, torque_on_other};
+      } else {
+        forces[j].force += on_other;
+        forces[j].torque += torque_on_other;
+      }
+      if constexpr (audit) {
+        friction += f.frictional_work;
+        viscous += f.viscous_work;
+      }
+    }
+    forces[i] = sum;
+  }
+  if constexpr (audit) {
+    lost.friction += static_cast<double>(friction);
+    lost.viscous += static_cast<double>(viscous);
+  }
+}
+
+} // namespace scree

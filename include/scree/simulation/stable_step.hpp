@@ -1,0 +1,68 @@
+#pragma once
+/// \file
+/// The largest time step that the explicit integration stands.
+
+#include "scree/contact/kinematics.hpp"
+#include "scree/core/error.hpp"
+#include "scree/state/bodies.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace scree {
+
+/// A critical time step [s] and what sets it.
+struct StepLimit {
+  double critical = std::numeric_limits<double>::infinity();
+  std::string cause = "nothing";
+
+  void lower_to(double step, const auto& describe) {
+    if (step < critical) {
+      critical = step;
+      cause = describe();
+    }
+  }
+};
+
+/// Leapfrog is stable below 2 / w; a dashpot of damping ratio z lowers that by sqrt(1 + z^2) - z.
+inline double critical_step(double squared_frequency, double damping_ratio) {
+  return 2.0 / std::sqrt(squared_frequency) * (std::sqrt(1.0 + damping_ratio * damping_ratio) - damping_ratio);
+}
+
+/// How many contacts of full stiffness a body in a dense bed has along its softest motion: a sphere held by z equal
+/// contacts of k_n = k_s feels z (k_n + 2 k_s) / 3 in translation and 5/3 z k_s in rotation, and its partners may
+/// swing against it. Ours; a test finds the true limit of dense packings above it.
+inline constexpr double crowding = 3.0;
+
+/// What the softest body of one material looks like to a contact.
+struct Softest {
+  double mobility = 0.0; ///< 1/kg, 1/m + a^2 / I_min with a the lever of a force at the surface
+  double mass = 0.0;     ///< kg
+  double radius = 0.0;   ///< m, of its smallest sphere
+  std::uint64_t body = 0;
+};
+
+/// Finds the free body of a material that gives way most; a mobility of 0 if there is none.
+template <class Real>
+Softest softest(const Bodies<Real>& bodies, std::uint16_t material) {
+  Softest found;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    if (bodies.is_fixed(b) || bodies.material(b) != material) {
+      continue;
+    }
+    const double arm = bodies.bounding_radius(b);
+    const double mobility = 1.0 / bodies.mass(b) + arm * arm / bodies.inertia(b).minCoeff();
+    if (mobility > found.mobility) {
+      double radius = arm;
+      for (std::size_t s = bodies.first_sphere(b); s < bodies.first_sphere(b + 1); ++s) {
+        radius = std::min(radius, bodies.spheres()[s].radius);
+      }
+      found = {mobility, bodies.mass(b), radius, bodies.id(b)};
+    }
+  }
+  return found;
+}
+
+} // namespace scree

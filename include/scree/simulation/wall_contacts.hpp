@@ -1,0 +1,154 @@
+#pragma once
+/// \file
+/// Contacts of grains with walls.
+
+#include "scree/contact/concept.hpp"
+#include "scree/simulation/tally.hpp"
+#include "scree/state/blocks.hpp"
+#include "scree/walls/wall.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <span>
+#include <tuple>
+#include <vector>
+
+namespace scree {
+
+/// A sphere that touches or may touch soon a surface of a wall.
+struct WallCandidate {
+  std::uint32_t sphere;
+  std::uint16_t wall, surface;
+  std::uint32_t first_facet, facet_count; ///< in the facet list, for a mesh
+};
+
+/// A sphere that touches a surface. The contact is known again in the next step by where it is on the wall, so its
+/// spring is kept when the sphere goes from one facet to the next.
+template <class Real, int history_size>
+struct WallContact {
+  std::uint32_t sphere;
+  std::uint16_t wall, surface;
+  Vector at;     ///< m, in the wall's frame
+  Vector point;  ///< m, in space
+  Vector normal; ///< unit vector from the wall to the sphere
+  double overlap; ///< m
+  Vector force;  ///< N, on the sphere
+  std::array<Real, static_cast<std::size_t>(history_size)> history;
+
+  [[nodiscard]] auto key() const { return std::tuple{sphere, wall, surface}; }
+};
+
+/// Candidates and contacts of one block, both in the order of (sphere, wall, surface).
+template <class Real, int history_size>
+struct WallBlock {
+  std::vector<WallCandidate> candidates;
+  std::vector<std::uint32_t> facets;
+  std::vector<WallContact<Real, history_size>> contacts, before;
+};
+
+/// Lists the spheres of `block` that are within `margin` [m] of a surface. Fixed bodies feel no walls.
+template <class Real, int history_size, class AnyWall>
+void find_wall_candidates(const Block& block, const Bodies<Real>& bodies, std::span<const AnyWall> walls, double margin,
+                          WallBlock<Real, history_size>& out) {
+  out.candidates.clear();
+  out.facets.clear();
+  for (std::size_t s = block.first_sphere; s < block.end_sphere; ++s) {
+    const SphereRecord<Real>& sphere = bodies.spheres()[s];
+    if (!(sphere.inverse_mass > 0)) {
+      continue;
+    }
+    for (std::size_t w = 0; w < walls.size(); ++w) {
+      const Vector centre = walls[w].motion.to_wall(to_eigen(sphere.position));
+      for (std::size_t k = 0; k < walls[w].surfaces.size(); ++k) {
+        const std::size_t first = out.facets.size();
+        if (walls[w].surfaces[k].near(centre, sphere.radius + margin, out.facets)) {
+          out.candidates.push_back({static_cast<std::uint32_t>(s), static_cast<std::uint16_t>(w),
+                                    static_cast<std::uint16_t>(k), static_cast<std::uint32_t>(first),
+                                    static_cast<std::uint32_t>(out.facets.size() - first)});
+        }
+      }
+    }
+  }
+}
+
+/// Adds the forces of the walls to the spheres of a block, and what the walls feel to `sums` (one for each wall).
+template <bool audit, ContactLaw Law, class Real, class AnyWall, class PairMaterials>
+void add_wall_forces(const Law& law, const PairMaterials& pair_material, std::span<const AnyWall> walls, Real dt,
+                     Bodies<Real>& bodies, WallBlock<Real, Law::history_size>& block, std::span<WallSum> sums,
+                     Dissipation& lost) {
+  using Contact = WallContact<Real, Law::history_size>;
+  std::swap(block.contacts, block.before);
+  block.contacts.clear();
+  const auto spheres = std::as_const(bodies).spheres();
+  const auto forces = bodies.forces();
+  auto old = block.before.begin();
+  SurfaceContacts found;
+  for (const WallCandidate& candidate : block.candidates) {
+    const AnyWall& wall = walls[candidate.wall];
+    const WallSurface& surface = wall.surfaces[candidate.surface];
+    const SphereRecord<Real>& sphere = spheres[candidate.sphere];
+    const Vector centre = to_eigen(sphere.position);
+    found.clear();
+    surface.touch({block.facets.data() + candidate.first_facet, candidate.facet_count}, wall.motion.to_wall(centre),
+                  sphere.radius, found);
+    if (found.empty()) {
+      continue;
+    }
+    const auto key = std::tuple{candidate.sphere, candidate.wall, candidate.surface};
+    while (old != block.before.end() && old->key() < key) {
+      ++old;
+    }
+    auto old_end = old;
+    while (old_end != block.before.end() && old_end->key() == key) {
+      ++old_end;
+    }
+    for (const SurfaceContact& contact : found) {
+      Contact now{candidate.sphere, candidate.wall, candidate.surface, contact.point, {}, {}, contact.overlap, {}, {}};
+      // A contact moves by far less than this in one step, and two contacts of a sphere lie further apart.
+      const double reach = 0.2 * sphere.radius;
+      auto match = old_end;
+      double nearest = reach * reach;
+      for (auto candidate_before = old; candidate_before != old_end; ++candidate_before) {
+        if (const double d2 = (candidate_before->at - contact.point).squaredNorm(); d2 < nearest) {
+          nearest = d2;
+          match = candidate_before;
+        }
+      }
+      if (match != old_end) {
+        now.history = match->history;
+        match->at.setConstant(std::numeric_limits<double>::infinity()); // taken
+      }
+      now.normal = wall.motion.orientation * contact.normal;
+      const double arm = sphere.radius - 0.5 * contact.overlap;
+      now.point = centre - arm * now.normal;
+
+      Kinematics<Real> k;
+      k.normal = to_vec3<Real>(now.normal);
+      k.overlap = static_cast<Real>(contact.overlap);
+      k.spin_i = sphere.angular_velocity;
+      k.spin_j = to_vec3<Real>(wall.motion.angular_velocity);
+      k.velocity = sphere.velocity - cross(sphere.angular_velocity, k.normal) * static_cast<Real>(arm) -
+                   to_vec3<Real>(wall.motion.velocity_at(now.point));
+      k.reduced_radius = static_cast<Real>(sphere.radius);
+      k.reduced_mass = Real{1} / sphere.inverse_mass;
+      k.dt = dt;
+      const ContactForce<Real> f = law.evaluate(pair_material(sphere.material, surface.material()), k, now.history);
+      const Vec3<Real> force = k.normal * f.normal + f.tangential;
+      forces[candidate.sphere].force += force;
+      forces[candidate.sphere].torque += f.couple - cross(k.normal, f.tangential) * static_cast<Real>(arm);
+      now.force = to_eigen(force);
+      WallSum& sum = sums[candidate.wall];
+      sum.force -= now.force;
+      sum.moment -= (now.point - wall.motion.position).cross(now.force) + to_eigen(f.couple);
+      ++sum.contacts;
+      if constexpr (audit) {
+        lost.friction += static_cast<double>(f.frictional_work);
+        lost.viscous += static_cast<double>(f.viscous_work);
+      }
+      block.contacts.push_back(now);
+    }
+  }
+}
+
+} // namespace scree

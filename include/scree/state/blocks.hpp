@@ -1,0 +1,62 @@
+#pragma once
+/// \file
+/// The fixed division of the bodies into blocks that makes results independent of the number of threads.
+
+#include "scree/state/pair_list.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace scree {
+
+/// Consecutive bodies that one task computes. Forces within a block are added directly; those on spheres of other
+/// blocks are laid down in numbered slots and fetched by their owner in a fixed order. The division depends on the
+/// bodies only, never on the threads.
+struct Block {
+  std::size_t first_body = 0, end_body = 0;
+  std::size_t first_sphere = 0, end_sphere = 0;
+  std::size_t first_slot = 0; ///< of the forces on spheres of later blocks, in the order of the pairs
+
+  struct Incoming {
+    std::uint32_t sphere;
+    std::uint32_t slot;
+  };
+  std::vector<Incoming> incoming; ///< from earlier blocks, in the order of their pairs
+};
+
+/// Divides bodies into blocks of at least `least_spheres`, at most about 64 of them, and says which pairs cross.
+template <class Real, int history_size>
+std::vector<Block> divided(const Bodies<Real>& bodies, const PairList<Real, history_size>& pairs,
+                           std::size_t& slots) {
+  constexpr std::size_t least_spheres = 512, most_blocks = 64;
+  const std::size_t wanted = std::max(least_spheres, bodies.sphere_count() / most_blocks + 1);
+  std::vector<Block> blocks;
+  Block block;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    block.end_body = b + 1;
+    block.end_sphere = bodies.first_sphere(b + 1);
+    if (block.end_sphere - block.first_sphere >= wanted || b + 1 == bodies.size()) {
+      blocks.push_back(block);
+      block = {};
+      block.first_body = b + 1;
+      block.first_sphere = bodies.first_sphere(b + 1);
+    }
+  }
+  slots = 0;
+  for (Block& source : blocks) {
+    source.first_slot = slots;
+    for (std::size_t pair = pairs.begin_of(source.first_sphere); pair < pairs.begin_of(source.end_sphere); ++pair) {
+      const std::uint32_t j = pairs.partner(pair).sphere;
+      if (j >= source.end_sphere) {
+        const auto owner = std::upper_bound(blocks.begin(), blocks.end(), j,
+                                            [](std::size_t s, const Block& of) { return s < of.end_sphere; });
+        owner->incoming.push_back({j, static_cast<std::uint32_t>(slots++)});
+      }
+    }
+  }
+  return blocks;
+}
+
+} // namespace scree

@@ -1,0 +1,241 @@
+#pragma once
+/// \file
+/// All rigid bodies of a simulation and their member spheres.
+
+#include "scree/core/error.hpp"
+#include "scree/geometry/clump.hpp"
+#include "scree/state/records.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace scree {
+
+/// How a body is moved.
+enum class BodyKind : std::uint8_t {
+  lone,  ///< one sphere about the centre of mass: its sphere record holds the motion, its orientation is not followed
+  clump, ///< any other rigid body: its body record holds the motion
+  fixed  ///< never moves
+};
+
+/// A body about to be added.
+struct NewBody {
+  const Clump* clump = nullptr;                    ///< at unit scale
+  double scale = 1.0;                              ///< factor on all lengths of the clump, above 0
+  double density = 0.0;                            ///< kg/m3
+  std::uint16_t material = 0;                      ///< number of its material
+  Vector position = Vector::Zero();                ///< m
+  Quaternion orientation = Quaternion::Identity(); ///< principal axes to space
+  Vector velocity = Vector::Zero();                ///< m/s
+  Vector angular_velocity = Vector::Zero();        ///< rad/s, in space
+  bool fixed = false;
+};
+
+/// Bodies in the order in which they are computed (`0 .. size() - 1`), each with an id that it keeps when that
+/// order changes. The spheres of a body are neighbours in the sphere arrays.
+template <class Real>
+class Bodies {
+public:
+  [[nodiscard]] std::size_t size() const { return records_.size(); }
+  [[nodiscard]] std::size_t sphere_count() const { return spheres_.size(); }
+  [[nodiscard]] bool empty() const { return records_.empty(); }
+
+  /// Adds a body and returns its id.
+  /// \throws Error for a value that is not a number, a scale or density of 0 or below.
+  std::uint64_t add(const NewBody& given) {
+    const Clump& clump = *given.clump;
+    require_positive("body scale", given.scale);
+    require_positive("body density", given.density, "kg/m3");
+    if (!given.position.allFinite() || !given.velocity.allFinite() || !given.angular_velocity.allFinite() ||
+        !given.orientation.coeffs().allFinite()) {
+      throw Error(message("body ", next_id_, " ('", clump.name, "'): position, orientation or velocity is not a number"));
+    }
+    const Quaternion q = given.orientation.normalized();
+    const double s3 = given.scale * given.scale * given.scale;
+    const double mass = given.density * clump.volume * s3;
+    const Vector inertia = given.density * s3 * given.scale * given.scale * clump.inertia;
+    const bool lone = clump.spheres.size() == 1 && clump.spheres[0].centre.isZero(0.0);
+
+    BodyRecord<Real> body;
+    body.position = to_vec3(given.position);
+    body.orientation = q;
+    body.velocity = to_vec3<Real>(given.velocity);
+    body.angular_velocity = to_vec3<Real>(q.conjugate() * given.angular_velocity);
+    body.mass = static_cast<Real>(mass);
+    body.inertia = to_vec3<Real>(inertia);
+    if (given.fixed) {
+      body.velocity = body.angular_velocity = {};
+    }
+    records_.push_back(body);
+    kinds_.push_back(given.fixed ? BodyKind::fixed : lone ? BodyKind::lone : BodyKind::clump);
+    ids_.push_back(next_id_);
+    materials_.push_back(given.material);
+    solid_volumes_.push_back(clump.union_volume * s3);
+    bounding_radii_.push_back(clump.bounding_radius * given.scale);
+    for (const Sphere& member : clump.spheres) {
+      SphereRecord<Real> sphere;
+      sphere.radius = member.radius * given.scale;
+      sphere.inverse_mass = given.fixed ? Real{0} : static_cast<Real>(1.0 / mass);
+      sphere.material = given.material;
+      spheres_.push_back(sphere);
+      offsets_.push_back(to_vec3(Vector(member.centre * given.scale)));
+      body_of_.push_back(static_cast<std::uint32_t>(records_.size() - 1));
+    }
+    forces_.resize(spheres_.size());
+    first_.push_back(static_cast<std::uint32_t>(spheres_.size()));
+    place_members(records_.size() - 1);
+    if (lone || given.fixed) {
+      for (std::size_t s = first_sphere(size() - 1); s < first_sphere(size()); ++s) {
+        spheres_[s].angular_velocity =
+            given.fixed ? Vec3<Real>{} : to_vec3<Real>(given.angular_velocity);
+      }
+    }
+    return next_id_++;
+  }
+
+  // ---- what observers read ------------------------------------------------------------------------------------
+
+  [[nodiscard]] Vector position(std::size_t b) const {
+    return to_eigen(is_lone(b) ? spheres_[first_[b]].position : records_[b].position);
+  }
+  [[nodiscard]] Vector velocity(std::size_t b) const {
+    return to_eigen(is_lone(b) ? spheres_[first_[b]].velocity : records_[b].velocity);
+  }
+  /// rad/s, in space.
+  [[nodiscard]] Vector angular_velocity(std::size_t b) const {
+    return is_lone(b) ? to_eigen(spheres_[first_[b]].angular_velocity)
+                      : Vector(records_[b].orientation * to_eigen(records_[b].angular_velocity));
+  }
+  [[nodiscard]] Quaternion orientation(std::size_t b) const { return records_[b].orientation; }
+  [[nodiscard]] double mass(std::size_t b) const { return static_cast<double>(records_[b].mass); }
+  [[nodiscard]] Vector inertia(std::size_t b) const { return to_eigen(records_[b].inertia); }
+  [[nodiscard]] std::uint64_t id(std::size_t b) const { return ids_[b]; }
+  [[nodiscard]] BodyKind kind(std::size_t b) const { return kinds_[b]; }
+  [[nodiscard]] bool is_fixed(std::size_t b) const { return kinds_[b] == BodyKind::fixed; }
+  [[nodiscard]] std::uint16_t material(std::size_t b) const { return materials_[b]; }
+  /// m3, of the union of its spheres.
+  [[nodiscard]] double solid_volume(std::size_t b) const { return solid_volumes_[b]; }
+  /// m, of the sphere about the centre of mass that holds the body.
+  [[nodiscard]] double bounding_radius(std::size_t b) const { return bounding_radii_[b]; }
+  /// J, of translation and rotation; 0 for a fixed body.
+  [[nodiscard]] double kinetic_energy(std::size_t b) const {
+    const Vector v = velocity(b);
+    const Vector w = records_[b].orientation.conjugate() * angular_velocity(b);
+    return 0.5 * mass(b) * v.squaredNorm() + 0.5 * w.dot(inertia(b).cwiseProduct(w));
+  }
+
+  /// Index of the first sphere of body b; of the end for b = size().
+  [[nodiscard]] std::size_t first_sphere(std::size_t b) const { return first_[b]; }
+  [[nodiscard]] std::uint32_t body_of(std::size_t sphere) const { return body_of_[sphere]; }
+  [[nodiscard]] std::span<const SphereRecord<Real>> spheres() const { return spheres_; }
+  /// What acted on each sphere in the last step: contacts only, without gravity.
+  [[nodiscard]] std::span<const ForceRecord<Real>> forces() const { return forces_; }
+
+  // ---- what the simulation writes -----------------------------------------------------------------------------
+
+  [[nodiscard]] std::span<SphereRecord<Real>> spheres() { return spheres_; }
+  [[nodiscard]] std::span<ForceRecord<Real>> forces() { return forces_; }
+  [[nodiscard]] BodyRecord<Real>& record(std::size_t b) { return records_[b]; }
+  [[nodiscard]] const BodyRecord<Real>& record(std::size_t b) const { return records_[b]; }
+  /// m, of a member sphere from the centre of mass, in the principal frame.
+  [[nodiscard]] const Vec3<double>& offset(std::size_t sphere) const { return offsets_[sphere]; }
+
+  /// Puts the members of a clump or fixed body where its body record says.
+  void place_members(std::size_t b) {
+    const BodyRecord<Real>& body = records_[b];
+    const Matrix turn = body.orientation.toRotationMatrix();
+    const Vector w = turn * to_eigen(body.angular_velocity);
+    const Vector v = to_eigen(body.velocity);
+    const Vector x = to_eigen(body.position);
+    for (std::size_t s = first_[b]; s < first_[b + 1]; ++s) {
+      const Vector arm = turn * to_eigen(offsets_[s]);
+      spheres_[s].position = to_vec3(Vector(x + arm));
+      spheres_[s].velocity = to_vec3<Real>(Vector(v + w.cross(arm)));
+      spheres_[s].angular_velocity = to_vec3<Real>(w);
+    }
+  }
+
+  /// Moves a body as a whole by `by`, with no change of its motion.
+  void shift(std::size_t b, const Vector& by) {
+    records_[b].position += to_vec3(by);
+    for (std::size_t s = first_[b]; s < first_[b + 1]; ++s) {
+      spheres_[s].position += to_vec3(by);
+    }
+  }
+
+  /// Gives a body another motion; `w` in space.
+  void set_motion(std::size_t b, const Vector& v, const Vector& w) {
+    BodyRecord<Real>& body = records_[b];
+    body.velocity = to_vec3<Real>(v);
+    body.angular_velocity = to_vec3<Real>(Vector(body.orientation.conjugate() * w));
+    if (is_lone(b)) {
+      spheres_[first_[b]].velocity = body.velocity;
+      spheres_[first_[b]].angular_velocity = to_vec3<Real>(w);
+    } else {
+      place_members(b);
+    }
+  }
+
+  /// Makes a body immovable where it stands.
+  void fix(std::size_t b) {
+    records_[b].position = to_vec3(position(b));
+    kinds_[b] = BodyKind::fixed;
+    records_[b].velocity = records_[b].angular_velocity = {};
+    for (std::size_t s = first_[b]; s < first_[b + 1]; ++s) {
+      spheres_[s].velocity = spheres_[s].angular_velocity = {};
+      spheres_[s].inverse_mass = 0;
+    }
+  }
+
+  static constexpr std::uint32_t gone = std::numeric_limits<std::uint32_t>::max();
+
+  /// Keeps the bodies listed in `order`, in that order. Returns for each old sphere its new index, or `gone`.
+  std::vector<std::uint32_t> rearrange(std::span<const std::uint32_t> order) {
+    std::vector<std::uint32_t> moved_to(spheres_.size(), gone);
+    Bodies next;
+    next.next_id_ = next_id_;
+    next.spheres_.reserve(spheres_.size());
+    for (const std::uint32_t b : order) {
+      next.records_.push_back(records_[b]);
+      next.kinds_.push_back(kinds_[b]);
+      next.ids_.push_back(ids_[b]);
+      next.materials_.push_back(materials_[b]);
+      next.solid_volumes_.push_back(solid_volumes_[b]);
+      next.bounding_radii_.push_back(bounding_radii_[b]);
+      for (std::size_t s = first_[b]; s < first_[b + 1]; ++s) {
+        moved_to[s] = static_cast<std::uint32_t>(next.spheres_.size());
+        next.spheres_.push_back(spheres_[s]);
+        next.forces_.push_back(forces_[s]);
+        next.offsets_.push_back(offsets_[s]);
+        next.body_of_.push_back(static_cast<std::uint32_t>(next.records_.size() - 1));
+      }
+      next.first_.push_back(static_cast<std::uint32_t>(next.spheres_.size()));
+    }
+    *this = std::move(next);
+    return moved_to;
+  }
+
+private:
+  [[nodiscard]] bool is_lone(std::size_t b) const { return kinds_[b] == BodyKind::lone; }
+
+  std::vector<BodyRecord<Real>> records_;
+  std::vector<BodyKind> kinds_;
+  std::vector<std::uint64_t> ids_;
+  std::vector<std::uint16_t> materials_;
+  std::vector<double> solid_volumes_;
+  std::vector<double> bounding_radii_;
+  std::vector<std::uint32_t> first_{0};
+
+  std::vector<SphereRecord<Real>> spheres_;
+  std::vector<ForceRecord<Real>> forces_;
+  std::vector<Vec3<double>> offsets_;
+  std::vector<std::uint32_t> body_of_;
+  std::uint64_t next_id_ = 0;
+};
+
+} // namespace scree

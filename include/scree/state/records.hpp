@@ -1,0 +1,45 @@
+#pragma once
+/// \file
+/// The packed records that the time-step loop reads and writes.
+///
+/// One record for each sphere, because a pair touches all fields of two spheres that lie far apart in memory:
+/// separate arrays for each field would cost a cache line each.
+
+#include "scree/core/linear.hpp"
+
+#include <cstdint>
+
+namespace scree {
+
+/// A member sphere of a rigid body, in space. Positions are always double: overlaps are some 1e-7 of the bed's size
+/// and would vanish in float.
+template <class Real>
+struct alignas(32) SphereRecord {
+  Vec3<double> position;       ///< m
+  double radius = 0.0;         ///< m
+  Vec3<Real> velocity;         ///< m/s, of the centre, half a step behind the position
+  Real inverse_mass = 0;       ///< 1/kg, of the body; 0 for a fixed one
+  Vec3<Real> angular_velocity; ///< rad/s, of the body
+  std::uint32_t material = 0;
+};
+static_assert(sizeof(SphereRecord<double>) == 96 && sizeof(SphereRecord<float>) == 64);
+
+/// What acts on a sphere in one step, about its own centre.
+template <class Real>
+struct ForceRecord {
+  Vec3<Real> force;  ///< N
+  Vec3<Real> torque; ///< N m
+};
+
+/// The motion of a rigid body about its centre of mass and principal axes.
+template <class Real>
+struct BodyRecord {
+  Vec3<double> position;                            ///< m, centre of mass
+  Quaternion orientation = Quaternion::Identity();  ///< principal axes to space
+  Vec3<Real> velocity;                              ///< m/s, half a step behind the position
+  Vec3<Real> angular_velocity;                      ///< rad/s, in the principal frame
+  Real mass = 0;                                    ///< kg
+  Vec3<Real> inertia;                               ///< kg m2, principal moments
+};
+
+} // namespace scree

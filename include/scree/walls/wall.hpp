@@ -1,0 +1,96 @@
+#pragma once
+/// \file
+/// A wall body: surfaces that move together.
+
+#include "scree/geometry/cylinder.hpp"
+#include "scree/geometry/mesh_surface.hpp"
+#include "scree/geometry/plane.hpp"
+#include "scree/material/material.hpp"
+#include "scree/walls/concept.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace scree {
+
+/// A surface in the frame of its wall body, and what it is made of.
+class WallSurface {
+public:
+  WallSurface(const Plane& plane, MaterialId of) : shape_{checked(plane)}, material_{of} {}
+  WallSurface(const Cylinder& cylinder, MaterialId of) : shape_{checked(cylinder)}, material_{of} {}
+  WallSurface(TriangleMesh mesh, MaterialId of)
+      : shape_{std::make_shared<const MeshSurface>(std::move(mesh))}, material_{of} {}
+
+  [[nodiscard]] MaterialId material() const { return material_; }
+
+  /// Whether a sphere within `reach` [m] of `centre` could touch; for a mesh also which facets.
+  bool near(const Vector& centre, double reach, std::vector<std::uint32_t>& facets) const {
+    if (const auto* mesh = this->mesh()) {
+      const std::size_t before = facets.size();
+      mesh->facets_near(centre, reach, facets);
+      return facets.size() > before;
+    }
+    const auto* plane = std::get_if<Plane>(&shape_);
+    return plane != nullptr ? plane->near(centre, reach) : std::get<Cylinder>(shape_).near(centre, reach);
+  }
+
+  void touch(std::span<const std::uint32_t> facets, const Vector& centre, double radius,
+             SurfaceContacts& contacts) const {
+    if (const auto* mesh = this->mesh()) {
+      mesh->touch(facets, centre, radius, contacts);
+    } else if (const auto* plane = std::get_if<Plane>(&shape_)) {
+      plane->touch(centre, radius, contacts);
+    } else {
+      std::get<Cylinder>(shape_).touch(centre, radius, contacts);
+    }
+  }
+
+  /// The mesh behind this surface, or null.
+  [[nodiscard]] const MeshSurface* mesh() const {
+    const auto* held = std::get_if<std::shared_ptr<const MeshSurface>>(&shape_);
+    return held != nullptr ? held->get() : nullptr;
+  }
+
+  /// m, of the farthest point from the origin of the wall's frame; infinite for a plane.
+  [[nodiscard]] double extent() const {
+    if (const auto* mesh = this->mesh()) {
+      double most = 0.0;
+      for (const Vector& v : mesh->mesh().vertices) {
+        most = std::max(most, v.norm());
+      }
+      return most;
+    }
+    if (const auto* tube = std::get_if<Cylinder>(&shape_)) {
+      const double end = std::isinf(tube->length) ? tube->length : (tube->base + tube->length * tube->axis).norm();
+      return std::max(tube->base.norm(), end) + tube->radius;
+    }
+    return std::numeric_limits<double>::infinity();
+  }
+
+private:
+  std::variant<Plane, Cylinder, std::shared_ptr<const MeshSurface>> shape_;
+  MaterialId material_;
+};
+
+/// Surfaces with one motion and one way of being moved.
+template <class Dynamics>
+struct Wall {
+  std::string name;
+  std::vector<WallSurface> surfaces;
+  Dynamics dynamics;
+  WallMotion motion{};
+  WallLoad load{};
+};
+
+/// The kinds of wall dynamics that a model allows, e.g. `Walls<Fixed, RopeCoupled>`.
+template <class... Dynamics>
+struct Walls {
+  using Any = std::variant<Dynamics...>;
+};
+
+} // namespace scree
