@@ -1,0 +1,10 @@
+# Read by CTest: registers one case of a doctest program. A run that only skipped ends with 77 (tests/main.cpp).
+function(scree_add_case name filter label)
+  set(test "${scree_folder}.${name}")
+  add_test("${test}" "${scree_program}" "--test-case=${filter}")
+  set(timeout 300)
+  if(NOT label STREQUAL "fast")
+    set(timeout 3000)
+  endif()
+  set_tests_properties("${test}" PROPERTIES LABELS ${label} TIMEOUT ${timeout} SKIP_RETURN_CODE 77)
+endfunction()

@@ -1,0 +1,28 @@
+# scree_own_target(<target>): what scree's own tests, examples and benchmarks are compiled with.
+# A project that uses scree gets none of it.
+
+if(PROJECT_IS_TOP_LEVEL AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  find_program(SCREE_CCACHE ccache)
+  mark_as_advanced(SCREE_CCACHE)
+  if(SCREE_CCACHE)
+    # The sloppiness is what ccache's manual asks for with precompiled headers; base folder and no hashed
+    # working folder let two checkouts profit from each other.
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env
+      CCACHE_SLOPPINESS=pch_defines,time_macros CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=1 ${SCREE_CCACHE}
+    )
+  endif()
+endif()
+
+function(scree_own_target target)
+  target_link_libraries(${target} PRIVATE scree::scree)
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
+  # Boost's own headers include deprecated ones of Boost, and would say so in every file.
+  target_compile_definitions(${target} PRIVATE BOOST_ALLOW_DEPRECATED_HEADERS)
+  if(SCREE_WARNINGS_AS_ERRORS)
+    target_compile_options(${target} PRIVATE -Werror)
+  endif()
+  if(SCREE_NATIVE)
+    target_compile_options(${target} PRIVATE -march=native)
+  endif()
+endfunction()

@@ -1,0 +1,4 @@
+// expect: the law is missing its stiffness
+int main() {
+  return undeclared;
+}
