@@ -105,7 +105,7 @@ run_ctest() {
   } | while IFS= read -r line; do
     case $line in
     "ctest-ended "*) exit "${line#ctest-ended }" ;;
-    "Internal ctest changing into directory: "* | " "*" Start "[0-9]*:" "* | *" Test "*"#"*" Passed "*) ;;
+    "Internal ctest changing into directory: "* | " "*" Start "*[0-9]": "* | *" Test "*"#"*" Passed "*) ;;
     *) printf '%s\n' "$line" ;;
     esac
   done
