@@ -40,17 +40,13 @@ struct SpringDashpot {
   T shear_damping;           ///< N s/m
 };
 
-/// Turns a tangential vector with its contact: by the mean spin about the normal, then into the plane normal to it,
-/// at unchanged length.
+/// Turns a tangential vector with its contact, to third order in the angle of one step, and puts it into the plane
+/// normal to the contact. No root and no quotient: this is done for every contact in every step.
 template <class T>
 Vec3<T> turned_with_contact(const Vec3<T>& spring, const Kinematics<T>& k) {
-  const T twist = T(0.5) * dot(k.spin_i + k.spin_j, k.normal) * k.dt;
-  const Vec3<T> twisted = spring + cross(k.normal, spring) * twist;
-  const Vec3<T> flat = twisted - k.normal * dot(twisted, k.normal);
-  const T before = squared_norm(spring), after = squared_norm(flat);
-  const auto some = after > T(0);
-  const T stretch = select(some, square_root(before / select(some, after, T(1))), T(0));
-  return flat * stretch;
+  const Vec3<T> once = cross(k.turn, spring);
+  const Vec3<T> turned = spring + once + cross(k.turn, once) * T(0.5);
+  return turned - k.normal * dot(turned, k.normal);
 }
 
 /// A contact law made of a normal model and any number of extensions.
@@ -127,11 +123,14 @@ public:
     const Vec3<T> wanted = trial + drag;
     const T wanted2 = squared_norm(wanted);
     const auto sliding = wanted2 > limit * limit;
-    const T share = select(sliding, limit / square_root(select(sliding, wanted2, T(1))), T(1));
-    out.tangential = wanted * share;
-    const Vec3<T> kept{select(sliding, out.tangential.x - drag.x, trial.x),
-                       select(sliding, out.tangential.y - drag.y, trial.y),
-                       select(sliding, out.tangential.z - drag.z, trial.z)};
+    out.tangential = wanted;
+    Vec3<T> kept = trial;
+    if (any(sliding)) {
+      const T share = select(sliding, limit / square_root(select(sliding, wanted2, T(1))), T(1));
+      out.tangential = wanted * share;
+      kept = {select(sliding, out.tangential.x - drag.x, trial.x), select(sliding, out.tangential.y - drag.y, trial.y),
+              select(sliding, out.tangential.z - drag.z, trial.z)};
+    }
     history[0] = kept.x;
     history[1] = kept.y;
     history[2] = kept.z;

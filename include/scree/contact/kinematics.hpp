@@ -17,6 +17,7 @@ struct Kinematics {
   Vec3<T> velocity;   ///< m/s, of i relative to j at the contact point
   Vec3<T> spin_i;     ///< rad/s, angular velocity of i in space
   Vec3<T> spin_j;     ///< rad/s
+  Vec3<T> turn;       ///< rad, by which the contact has turned since the history was last written
   T reduced_radius;   ///< m, r_i r_j / (r_i + r_j)
   T reduced_mass;     ///< kg, m_i m_j / (m_i + m_j)
   T dt;               ///< s, since the history was last written

@@ -14,6 +14,9 @@ constexpr T select(bool condition, T yes, T no) {
   return condition ? yes : no;
 }
 
+/// Whether a condition holds for any contact of a pack: worth a branch where it seldom does.
+constexpr bool any(bool condition) { return condition; }
+
 template <std::floating_point T>
 constexpr T larger(T a, T b) {
   return a > b ? a : b;

@@ -25,17 +25,21 @@ template <class Real>
 Touch<Real> touch_of(const SphereRecord<Real>& i, const SphereRecord<Real>& j, const Vec3<double>& apart,
                      double squared_distance, Real dt) {
   const double distance = std::sqrt(squared_distance);
+  const double inverse_distance = 1.0 / distance;
   const double overlap = i.radius + j.radius - distance;
   Touch<Real> out;
   Kinematics<Real>& k = out.kinematics;
-  k.normal = (apart * (1.0 / distance)).template as<Real>();
+  k.normal = (apart * inverse_distance).template as<Real>();
   k.overlap = static_cast<Real>(overlap);
   out.arm_i = static_cast<Real>(i.radius - 0.5 * overlap);
   out.arm_j = static_cast<Real>(j.radius - 0.5 * overlap);
   k.spin_i = i.angular_velocity;
   k.spin_j = j.angular_velocity;
-  k.velocity =
-      i.velocity - j.velocity - cross(i.angular_velocity * out.arm_i + j.angular_velocity * out.arm_j, k.normal);
+  const Vec3<Real> velocity = i.velocity - j.velocity;
+  k.velocity = velocity - cross(i.angular_velocity * out.arm_i + j.angular_velocity * out.arm_j, k.normal);
+  // The normal tilts as the centres pass each other; about it the contact turns with the mean spin.
+  k.turn = cross(k.normal, velocity) * (static_cast<Real>(inverse_distance) * dt) +
+           k.normal * (Real(0.5) * dot(i.angular_velocity + j.angular_velocity, k.normal) * dt);
   k.reduced_radius = static_cast<Real>(i.radius * j.radius / (i.radius + j.radius));
   k.reduced_mass = Real{1} / (i.inverse_mass + j.inverse_mass);
   k.dt = dt;
@@ -68,13 +72,12 @@ void add_pair_forces(const Block& block, const Law& law, const PairMaterials& pa
       const double d2 = squared_norm(apart);
       const double reach = own.radius + other.radius;
       if (d2 >= reach * reach) {
-        pairs.end_contact(pair);
+        pairs.history(pair) = {};
         if (crosses) {
           slots[slot++] = {};
         }
         continue;
       }
-      pairs.begin_contact(pair);
       const Touch<Real> touch = touch_of(own, other, apart, d2, dt);
       const Kinematics<Real>& k = touch.kinematics;
       const ContactForce<Real> f = law.evaluate(pair_material(own.material, other.material), k, pairs.history(pair));

@@ -104,6 +104,8 @@ void add_wall_forces(const Law& law, const PairMaterials& pair_material, std::sp
       ++old_end;
     }
     for (const SurfaceContact& contact : found) {
+      const Vector normal = wall.motion.orientation * contact.normal;
+      Vector tilt = Vector::Zero();
       Contact now{candidate.sphere, candidate.wall, candidate.surface, contact.point, {}, {}, contact.overlap, {}, {}};
       // A contact moves by far less than this in one step, and two contacts of a sphere lie further apart.
       const double reach = 0.2 * sphere.radius;
@@ -117,9 +119,10 @@ void add_wall_forces(const Law& law, const PairMaterials& pair_material, std::sp
       }
       if (match != old_end) {
         now.history = match->history;
+        tilt = match->normal.cross(normal);
         match->at.setConstant(std::numeric_limits<double>::infinity()); // taken
       }
-      now.normal = wall.motion.orientation * contact.normal;
+      now.normal = normal;
       const double arm = sphere.radius - 0.5 * contact.overlap;
       now.point = centre - arm * now.normal;
 
@@ -132,6 +135,7 @@ void add_wall_forces(const Law& law, const PairMaterials& pair_material, std::sp
                    to_vec3<Real>(wall.motion.velocity_at(now.point));
       k.reduced_radius = static_cast<Real>(sphere.radius);
       k.reduced_mass = Real{1} / sphere.inverse_mass;
+      k.turn = to_vec3<Real>(tilt) + k.normal * (Real(0.5) * dot(k.spin_i + k.spin_j, k.normal) * dt);
       k.dt = dt;
       const ContactForce<Real> f = law.evaluate(pair_material(sphere.material, surface.material()), k, now.history);
       const Vec3<Real> force = k.normal * f.normal + f.tangential;

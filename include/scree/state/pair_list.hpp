@@ -21,7 +21,8 @@ struct Partner {
   std::uint32_t image : 5; ///< ix + 3 iy + 9 iz, each shift -1, 0, 1 stored as 0, 1, 2
 };
 
-/// Rows of partners j > i, ascending in j, each pair with the history numbers of its contact law.
+/// Rows of partners j > i, ascending in j, each pair with the history numbers of its contact law: all 0 for a pair that
+/// does not touch, as for a contact that begins.
 template <class Real, int history_size>
 class PairList {
 public:
@@ -31,31 +32,20 @@ public:
   [[nodiscard]] std::size_t row_count() const { return rows_.size(); }
   [[nodiscard]] std::size_t begin_of(std::size_t i) const { return rows_.begin_of(i); }
   [[nodiscard]] const Partner& partner(std::size_t pair) const { return rows_[pair]; }
-  [[nodiscard]] bool touching(std::size_t pair) const { return touching_[pair] != 0; }
   [[nodiscard]] const History& history(std::size_t pair) const { return history_[pair]; }
   [[nodiscard]] History& history(std::size_t pair) { return history_[pair]; }
 
-  void begin_contact(std::size_t pair) { touching_[pair] = 1; }
-  void end_contact(std::size_t pair) {
-    if (touching_[pair] != 0) {
-      touching_[pair] = 0;
-      history_[pair] = {};
-    }
-  }
-
-  /// Replaces the pairs: `partners(i, row)` appends the partners of sphere i, in any order. A pair that touched keeps
-  /// its history.
+  /// Replaces the pairs: `partners(i, row)` appends the partners of sphere i, in any order. A pair that stays
+  /// keeps its history.
   template <class Partners>
   void renew(std::size_t spheres, Workers& workers, Partners partners) {
     std::swap(rows_, old_rows_);
-    std::swap(touching_, old_touching_);
     std::swap(history_, old_history_);
     rows_.build(spheres, workers, [&](std::size_t i, std::vector<Partner>& row) {
       const auto before = static_cast<std::ptrdiff_t>(row.size());
       partners(i, row);
       std::sort(row.begin() + before, row.end(), [](Partner a, Partner b) { return a.sphere < b.sphere; });
     });
-    touching_.assign(rows_.total(), 0);
     history_.assign(rows_.total(), History{});
     constexpr std::size_t chunk = 1024;
     const std::size_t kept = std::min(spheres, old_rows_.size());
@@ -67,7 +57,7 @@ public:
   }
 
   /// Follows spheres to new numbers (`Bodies::gone` for those removed). `parity` says which history numbers change
-  /// sign when the spheres of a pair change places. The pairs that do not touch are dropped: renew the list before use.
+  /// sign when the spheres of a pair change places. Pairs without history are dropped: renew the list before use.
   void rearrange(std::span<const std::uint32_t> moved_to, std::size_t spheres,
                  const std::array<int, static_cast<std::size_t>(history_size)>& parity, Workers& workers) {
     struct Moved {
@@ -81,7 +71,7 @@ public:
         Partner partner = rows_[pair];
         const std::uint32_t first = moved_to[i], second = moved_to[partner.sphere];
         constexpr auto gone = Bodies<Real>::gone;
-        if (touching_[pair] == 0 || first == gone || second == gone) {
+        if (history_[pair] == History{} || first == gone || second == gone) {
           continue;
         }
         History history = history_[pair];
@@ -109,7 +99,6 @@ public:
         row.push_back(moved[m].second);
       }
     });
-    touching_.assign(moved.size(), 1);
     history_.resize(moved.size());
     for (std::size_t m = 0; m < moved.size(); ++m) {
       history_[m] = moved[m].history;
@@ -124,15 +113,13 @@ private:
       while (old < old_end && old_rows_[old].sphere < rows_[pair].sphere) {
         ++old;
       }
-      if (old < old_end && old_rows_[old].sphere == rows_[pair].sphere && old_touching_[old] != 0) {
-        touching_[pair] = 1;
+      if (old < old_end && old_rows_[old].sphere == rows_[pair].sphere) {
         history_[pair] = old_history_[old];
       }
     }
   }
 
   CompressedRows<Partner> rows_, old_rows_;
-  std::vector<std::uint8_t> touching_, old_touching_;
   std::vector<History> history_, old_history_;
 };
 
