@@ -12,8 +12,10 @@
 #include "scree/walls/rope_coupled.hpp"
 #include "scree/walls/wall.hpp"
 
+#include <algorithm>
+#include <concepts>
+#include <cstddef>
 #include <type_traits>
-#include <variant>
 
 namespace scree {
 
@@ -40,52 +42,105 @@ struct DefaultModel {
 
 namespace detail {
 
-/// States every requirement by itself, so that the compiler's message names the operation that is missing.
+template <class Model>
+concept FillsAllSlots = requires {
+  typename Model::Real;
+  typename Model::Contact;
+  typename Model::Neighbours;
+  typename Model::Integrator;
+  typename Model::Walls;
+  { Model::energy_audit } -> std::convertible_to<bool>;
+};
+
+/// Whether -1 or +1 is given for each history number.
+template <HasHistory Contact>
+constexpr bool parity_fits() {
+  const auto& parity = Contact::history_parity;
+  return parity.size() == static_cast<std::size_t>(Contact::history_size) &&
+         std::all_of(parity.begin(), parity.end(), [](int p) { return p == -1 || p == 1; });
+}
+
+// The checks below state every requirement by itself, so that the compiler's message names the operation that is
+// missing, and each only where those that it builds on hold, so that one mistake gives one message.
+
+template <class Contact, class Real>
+struct ContactCheck {
+  static_assert(std::copyable<Contact>, "scree: Model::Contact cannot be copied (contact/concept.hpp)");
+  static_assert(
+      requires {
+        { Contact::history_size } -> std::convertible_to<int>;
+      }, "scree: Model::Contact is missing history_size (contact/concept.hpp)");
+  static_assert(
+      requires { Contact::history_parity.size(); },
+      "scree: Model::Contact is missing history_parity, an array (contact/concept.hpp)");
+  static constexpr bool parity = [] {
+    if constexpr (HasHistory<Contact>) {
+      return parity_fits<Contact>();
+    }
+    return true;
+  }();
+  static_assert(parity, "scree: Model::Contact: history_parity must hold -1 or +1 for each of the history_size numbers "
+                        "(contact/concept.hpp)");
+  static_assert(ChecksMaterials<Contact>, "scree: Model::Contact is missing check(pair, names) (contact/concept.hpp)");
+  static_assert(StatesStiffness<Contact>,
+                "scree: Model::Contact is missing stiffness(pair, reduced_radius, reduced_mass, speed) returning "
+                "ContactStiffness (contact/concept.hpp)");
+  static_assert(!HasHistory<Contact> || StatesEnergy<Contact>,
+                "scree: Model::Contact is missing elastic_energy(pair, reduced_radius, overlap, history) "
+                "(contact/concept.hpp)");
+  static_assert(!HasHistory<Contact> || EvaluatesForce<Contact, Real>,
+                "scree: Model::Contact is missing evaluate(pair, kinematics, history) for T = Model::Real, returning "
+                "ContactForce<T> (contact/concept.hpp)");
+  static constexpr bool done = true;
+};
+
+template <class Dynamics>
+struct WallDynamicsCheck {
+  static_assert(std::copyable<Dynamics>,
+                "scree: a wall dynamics of Model::Walls cannot be copied (walls/concept.hpp)");
+  static_assert(StartsWall<Dynamics>,
+                "scree: a wall dynamics of Model::Walls is missing start(motion, step) (walls/concept.hpp)");
+  static_assert(AdvancesWall<Dynamics>,
+                "scree: a wall dynamics of Model::Walls is missing advance(motion, load, step) (walls/concept.hpp)");
+  // With one alone the stable time step would leave out what holds the wall.
+  static constexpr bool says_how_held = requires(const Dynamics& d) { d.squared_frequency(); };
+  static constexpr bool says_by_what = requires(const Dynamics& d) { d.holder(); };
+  static_assert(IsHeld<Dynamics> || !says_how_held,
+                "scree: a wall dynamics of Model::Walls has squared_frequency() but is missing holder() "
+                "(walls/concept.hpp)");
+  static_assert(IsHeld<Dynamics> || !says_by_what,
+                "scree: a wall dynamics of Model::Walls has holder() but is missing squared_frequency() "
+                "(walls/concept.hpp)");
+  static constexpr bool done = true;
+};
+
+template <class Walls>
+inline constexpr bool lists_walls = false;
+template <class... Dynamics>
+inline constexpr bool lists_walls<Walls<Dynamics...>> = (WallDynamicsCheck<Dynamics>::done && ...);
+
 template <class Model>
 struct ModelCheck {
+  static_assert(FillsAllSlots<Model>, "scree: Model is missing one of Real, Contact, Neighbours, Integrator, Walls, "
+                                      "energy_audit: derive it from DefaultModel (simulation/model.hpp)");
   using Real = typename Model::Real;
-  using Contact = typename Model::Contact;
   using Neighbours = typename Model::Neighbours;
   using Integrator = typename Model::Integrator;
 
   static_assert(std::is_same_v<Real, double> || std::is_same_v<Real, float>,
                 "scree: Model::Real must be float or double");
-
-  static_assert(HasHistory<Contact>, "scree: Model::Contact is missing history_size and history_parity "
-                                     "(contact/concept.hpp)");
-  static_assert(ChecksMaterials<Contact>, "scree: Model::Contact is missing check(pair, names) (contact/concept.hpp)");
-  static_assert(StatesStiffness<Contact>, "scree: Model::Contact is missing stiffness(pair, reduced_radius, "
-                                          "reduced_mass, speed) (contact/concept.hpp)");
-  static_assert(StatesEnergy<Contact>, "scree: Model::Contact is missing elastic_energy(pair, reduced_radius, overlap, "
-                                       "history) (contact/concept.hpp)");
-  static_assert(EvaluatesForce<Contact, Real>, "scree: Model::Contact is missing evaluate(pair, kinematics, history) "
-                                               "returning ContactForce<T> (contact/concept.hpp)");
-
+  static_assert(ContactCheck<typename Model::Contact, Real>::done);
   static_assert(StatesSkin<Neighbours>,
                 "scree: Model::Neighbours is missing skin(smallest_radius) (neighbours/concept.hpp)");
   static_assert(FindsCandidates<Neighbours>, "scree: Model::Neighbours is missing find(balls, owned, margin, workers, "
                                              "rows) (neighbours/concept.hpp)");
-
   static_assert(Translates<Integrator, Real>, "scree: Model::Integrator is missing translate(position, velocity, "
                                               "acceleration, step) (integrators/concept.hpp)");
   static_assert(Rotates<Integrator>, "scree: Model::Integrator is missing rotate(orientation, angular_velocity, "
                                      "moment, inertia, step) (integrators/concept.hpp)");
-
-  template <class Dynamics>
-  static constexpr bool check_walls(const std::variant<Dynamics>*) {
-    static_assert(StartsWall<Dynamics>, "scree: a wall dynamics of Model::Walls is missing start(motion, step) "
-                                        "(walls/concept.hpp)");
-    static_assert(AdvancesWall<Dynamics>, "scree: a wall dynamics of Model::Walls is missing advance(motion, load, "
-                                          "step) (walls/concept.hpp)");
-    static_assert(std::copyable<Dynamics>, "scree: a wall dynamics of Model::Walls cannot be copied "
-                                           "(walls/concept.hpp)");
-    return true;
-  }
-  template <class... Dynamics>
-  static constexpr bool check_all_walls(const std::variant<Dynamics...>*) {
-    return (check_walls(static_cast<const std::variant<Dynamics>*>(nullptr)) && ...);
-  }
-  static constexpr bool holds = check_all_walls(static_cast<const typename Model::Walls::Any*>(nullptr));
+  static_assert(lists_walls<typename Model::Walls>,
+                "scree: Model::Walls must be scree::Walls<...>, a list of wall dynamics (walls/wall.hpp)");
+  static constexpr bool holds = true;
 };
 
 } // namespace detail

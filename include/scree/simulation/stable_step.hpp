@@ -38,7 +38,7 @@ inline constexpr double crowding = 3.0;
 
 /// What the softest body of one material looks like to a contact.
 struct Softest {
-  double mobility = 0.0; ///< 1/kg, 1/m + a^2 / I_min with a the lever of a force at the surface
+  double mobility = 0.0; ///< 1/kg, see Bodies::mobility
   double mass = 0.0;     ///< kg
   double radius = 0.0;   ///< m, of its smallest sphere
   std::uint64_t body = 0;
@@ -52,10 +52,8 @@ Softest softest(const Bodies<Real>& bodies, std::uint16_t material) {
     if (bodies.is_fixed(b) || bodies.material(b) != material) {
       continue;
     }
-    const double arm = bodies.bounding_radius(b);
-    const double mobility = 1.0 / bodies.mass(b) + arm * arm / bodies.inertia(b).minCoeff();
-    if (mobility > found.mobility) {
-      double radius = arm;
+    if (const double mobility = bodies.mobility(b); mobility > found.mobility) {
+      double radius = bodies.bounding_radius(b);
       for (std::size_t s = bodies.first_sphere(b); s < bodies.first_sphere(b + 1); ++s) {
         radius = std::min(radius, bodies.spheres()[s].radius);
       }

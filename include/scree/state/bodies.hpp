@@ -77,6 +77,7 @@ public:
     materials_.push_back(given.material);
     solid_volumes_.push_back(clump.union_volume * s3);
     bounding_radii_.push_back(clump.bounding_radius * given.scale);
+    mobilities_.push_back(clump.mobility / mass);
     for (const Sphere& member : clump.spheres) {
       SphereRecord<Real> sphere;
       sphere.radius = member.radius * given.scale;
@@ -122,6 +123,8 @@ public:
   [[nodiscard]] double solid_volume(std::size_t b) const { return solid_volumes_[b]; }
   /// m, of the sphere about the centre of mass that holds the body.
   [[nodiscard]] double bounding_radius(std::size_t b) const { return bounding_radii_[b]; }
+  /// 1/kg, acceleration of the point of its surface that gives way most under a force of 1 N.
+  [[nodiscard]] double mobility(std::size_t b) const { return mobilities_[b]; }
   /// J, of translation and rotation; 0 for a fixed body.
   [[nodiscard]] double kinetic_energy(std::size_t b) const {
     const Vector v = velocity(b);
@@ -207,6 +210,7 @@ public:
       next.materials_.push_back(materials_[b]);
       next.solid_volumes_.push_back(solid_volumes_[b]);
       next.bounding_radii_.push_back(bounding_radii_[b]);
+      next.mobilities_.push_back(mobilities_[b]);
       for (std::size_t s = first_[b]; s < first_[b + 1]; ++s) {
         moved_to[s] = static_cast<std::uint32_t>(next.spheres_.size());
         next.spheres_.push_back(spheres_[s]);
@@ -229,6 +233,7 @@ private:
   std::vector<std::uint16_t> materials_;
   std::vector<double> solid_volumes_;
   std::vector<double> bounding_radii_;
+  std::vector<double> mobilities_;
   std::vector<std::uint32_t> first_{0};
 
   std::vector<SphereRecord<Real>> spheres_;

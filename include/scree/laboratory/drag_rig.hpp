@@ -1,0 +1,230 @@
+#pragma once
+/// \file
+/// The dragline experiment: a bed of rock, a bucket, two ropes and a winch.
+
+#include "scree/geometry/mesh_measures.hpp"
+#include "scree/laboratory/drag_setup.hpp"
+#include "scree/measure/attitude.hpp"
+#include "scree/measure/bucket_fill.hpp"
+#include "scree/measure/surface_height.hpp"
+#include "scree/simulation/simulation.hpp"
+
+#include <array>
+#include <cstddef>
+#include <utility>
+
+namespace scree {
+
+/// One line of the record.
+struct DragSample {
+  double time = 0.0;         ///< s, since the winch started
+  double drag = 0.0;         ///< m, of the bucket's centre of gravity along the bed
+  double force = 0.0;        ///< N, of both ropes, mean since the sample before
+  double force_left = 0.0;   ///< N
+  double force_right = 0.0;  ///< N
+  Attitude attitude{};       ///< rad
+  double depth = 0.0;        ///< m, of the centre of gravity, normal to the bed, below its place at the start
+  BucketFill fill{};
+  std::size_t bodies = 0;
+  double kinetic_energy = 0.0;  ///< J, of grains and bucket
+  double frictional_work = 0.0; ///< J, since the winch started
+};
+
+/// Builds the rig and runs it.
+///
+///     DragRig<DigModel> rig{desk_drag(), bucket};
+///     rig.make_bed(watch);
+///     rig.place_bucket(watch);
+///     while (!rig.done()) { rig.advance(0.01); use(rig.sample()); }
+template <class Model>
+class DragRig {
+public:
+  using Sim = Simulation<Model>;
+
+  /// \throws Error for a parameter out of range.
+  DragRig(const DragSetup& setup, BucketBody bucket, Setup<Model> physics = {})
+      : setup_{setup}, bucket_{std::move(bucket)}, box_{bounding_box(bucket_.surface)},
+        gauge_{bucket_.interior, box_.sizes().z()}, simulation_{physics_of(setup, std::move(physics))},
+        random_{setup.seed, "bed"} {
+    check();
+    rock_ = simulation_.add_material(setup_.rock);
+    const MaterialId floor = simulation_.add_material(setup_.floor);
+    steel_ = simulation_.add_material(setup_.steel);
+    bed_ = simulation_.add_wall(
+        {.name = "trough", .surfaces = setup_.container().surfaces(floor), .dynamics = Fixed{}});
+  }
+
+  /// Fills the trough. `watch(simulation, BedStage)` is called after every step.
+  template <class Watch>
+  const BedReport& make_bed(const Assembly& assembly, Watch watch) {
+    report_ = settle_bed(simulation_, setup_.container(), assembly, rock_, setup_.bed, random_, watch);
+    return report_;
+  }
+
+  /// Lays the bucket flat on the bed, hitches the ropes taut and lets it come to rest. `watch(simulation)` is called after
+  /// every step.
+  template <class Watch>
+  void place_bucket(Watch watch) {
+    const Eigen::AlignedBox2d plan{Eigen::Vector2d{setup_.bucket_start, box_.min().y()},
+                                   Eigen::Vector2d{setup_.bucket_start + box_.sizes().x(), box_.max().y()}};
+    const double surface = highest_point(simulation_.bodies(), plan);
+    if (!std::isfinite(surface)) {
+      throw Error(message("bucket_start = ", setup_.bucket_start, " m: there is no rock below the bucket"));
+    }
+    WallMotion motion;
+    motion.position = {setup_.bucket_start - box_.min().x(), 0.0, surface - box_.min().z()};
+    winch_start_ = simulation_.time() + setup_.placing_time;
+    std::vector<Rope> ropes;
+    const std::array<const char*, 2> names{"left", "right"};
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Vector hitch = motion.to_space(bucket_.hitches[k]);
+      ropes.push_back({.name = names[k],
+                       .hitch = bucket_.hitches[k],
+                       .winch = {hitch.x() + setup_.winch_distance, hitch.y(), setup_.winch_height},
+                       .stiffness = setup_.rope_stiffness,
+                       .damping = setup_.rope_damping,
+                       // The rope hangs loose while the bucket sinks to its rest, and is hauled taut at the start.
+                       .wound = [this](double time) { return setup_.wound(time - winch_start_); }});
+    }
+    wall_ = simulation_.add_wall({.name = "bucket",
+                                  .surfaces = {{bucket_.surface, steel_}},
+                                  .dynamics = RopeCoupled{bucket_.body, std::move(ropes)},
+                                  .motion = motion});
+    placed_ = true;
+    run_for(simulation_, setup_.placing_time, watch);
+    start_ = centre();
+    lost_at_start_ = simulation_.dissipation().friction;
+    last_sample_ = simulation_.time();
+    next_removal_ = setup_.removal_interval;
+  }
+
+  /// Steps for about `interval` [s] of simulated time, at least one step.
+  template <class Watch>
+  void advance(double interval, Watch watch) {
+    const double end = simulation_.time() + interval;
+    do {
+      simulation_.step();
+      for (std::size_t k = 0; k < 2; ++k) {
+        pulled_[k] += ropes()[k].tension * simulation_.time_step();
+      }
+      watch(simulation_);
+    } while (simulation_.time() < end);
+    if (setup_.remove_behind && drag() >= next_removal_) {
+      remove_behind();
+      next_removal_ += setup_.removal_interval;
+    }
+    check_bucket();
+  }
+
+  /// The record at this moment; forces are means since the last call.
+  DragSample sample() {
+    DragSample s;
+    const WallMotion& motion = simulation_.wall(wall_).motion;
+    s.time = simulation_.time() - winch_start_;
+    s.drag = drag();
+    const double span = simulation_.time() - last_sample_;
+    const auto mean = [&](std::size_t k) { return span > 0.0 ? pulled_[k] / span : ropes()[k].tension; };
+    s.force_left = mean(0);
+    s.force_right = mean(1);
+    s.force = s.force_left + s.force_right;
+    pulled_ = {};
+    last_sample_ = simulation_.time();
+    s.attitude = attitude(motion.orientation);
+    s.depth = start_.z() - centre().z();
+    s.fill = gauge_(simulation_.bodies(), motion);
+    s.bodies = simulation_.bodies().size();
+    s.kinetic_energy = kinetic_energy(simulation_.bodies()) +
+                       simulation_.template dynamics<RopeCoupled>(wall_).kinetic_energy();
+    s.frictional_work = simulation_.dissipation().friction - lost_at_start_;
+    return s;
+  }
+
+  /// m, of the bucket's centre of gravity along the bed since the winch started.
+  [[nodiscard]] double drag() const { return placed_ ? centre().x() - start_.x() : 0.0; }
+  [[nodiscard]] bool done() const { return drag() >= setup_.drag_distance; }
+
+  [[nodiscard]] const Sim& simulation() const { return simulation_; }
+  [[nodiscard]] Sim& simulation() { return simulation_; }
+  [[nodiscard]] const DragSetup& setup() const { return setup_; }
+  [[nodiscard]] const BucketBody& bucket() const { return bucket_; }
+  [[nodiscard]] const BedReport& bed_report() const { return report_; }
+  [[nodiscard]] const WallMotion& bucket_motion() const { return simulation_.wall(wall_).motion; }
+  [[nodiscard]] const std::vector<Rope>& ropes() const {
+    return simulation_.template dynamics<RopeCoupled>(wall_).ropes();
+  }
+
+private:
+  static Setup<Model> physics_of(const DragSetup& setup, Setup<Model> physics) {
+    physics.gravity = setup.gravity();
+    physics.stiffness = setup.stiffness;
+    physics.local_damping = setup.local_damping;
+    physics.threads = setup.threads;
+    return physics;
+  }
+
+  void check() const {
+    require_positive("drag_speed", setup_.drag_speed, "m/s");
+    require_positive("drag_distance", setup_.drag_distance, "m");
+    require_positive("ramp", setup_.ramp, "s");
+    require_positive("winch_distance", setup_.winch_distance, "m");
+    require_positive("removal_interval", setup_.removal_interval, "m");
+    require_positive("removal_distance", setup_.removal_distance, "bucket lengths");
+    require("placing_time", setup_.placing_time, {0.0, 1e3, "s"});
+    require("drag_angle", setup_.drag_angle, {-1.2, 1.2, "rad"});
+    require("bucket_start", setup_.bucket_start, {0.0, setup_.bed_length, "m"});
+    const double needed = setup_.bucket_start + box_.sizes().x() + setup_.drag_distance;
+    if (needed > setup_.bed_length) {
+      throw Error(message("bed_length = ", setup_.bed_length, " m is too short: start, bucket and drag distance need ",
+                          needed, " m"));
+    }
+    if (box_.sizes().y() > setup_.bed_width) {
+      throw Error(message("bed_width = ", setup_.bed_width, " m is narrower than the bucket, ", box_.sizes().y(), " m"));
+    }
+    if (setup_.winch_distance < setup_.drag_distance * 1.05) {
+      throw Error(message("winch_distance = ", setup_.winch_distance, " m must exceed the drag distance ",
+                          setup_.drag_distance, " m by 5 % or more"));
+    }
+  }
+
+  [[nodiscard]] Vector centre() const { return simulation_.wall(wall_).motion.to_space(bucket_.body.centre); }
+
+  /// Removes grains further behind the bucket than the removal distance and makes the row behind that line a wall.
+  void remove_behind() {
+    const double rear = simulation_.wall(wall_).motion.to_space(Vector{box_.min().x(), 0.0, 0.0}).x();
+    const double cut = rear - setup_.removal_distance * box_.sizes().x();
+    simulation_.remove_bodies([&](const auto& bodies, std::size_t b) { return bodies.position(b).x() < cut; });
+    simulation_.fix_bodies([&](const auto& bodies, std::size_t b) {
+      return bodies.position(b).x() - bodies.bounding_radius(b) < cut;
+    });
+  }
+
+  void check_bucket() const {
+    const WallMotion& motion = simulation_.wall(wall_).motion;
+    for (const Vector& vertex : bucket_.surface.vertices) {
+      const Vector at = motion.to_space(vertex);
+      if (at.z() < -setup_.container().depth_at(at.x())) {
+        throw Error(message("the bucket has reached the floor of the trough at t = ", simulation_.time(), " s, drag ",
+                            drag(), " m: make the bed deeper"));
+      }
+      if (at.x() > setup_.bed_length) {
+        throw Error(message("the bucket has reached the end of the trough at t = ", simulation_.time(), " s"));
+      }
+    }
+  }
+
+  DragSetup setup_;
+  BucketBody bucket_;
+  Eigen::AlignedBox3d box_;
+  BucketGauge gauge_;
+  Sim simulation_;
+  Random random_;
+  MaterialId rock_ = 0, steel_ = 0;
+  std::size_t bed_ = 0, wall_ = 0;
+  BedReport report_;
+  bool placed_ = false;
+  double winch_start_ = 0.0, last_sample_ = 0.0, next_removal_ = 0.0, lost_at_start_ = 0.0;
+  Vector start_ = Vector::Zero();
+  std::array<double, 2> pulled_{};
+};
+
+} // namespace scree
