@@ -45,6 +45,7 @@ struct DraglineBucket {
   double tooth_tip_width = 0.016;   ///< m; above 0, to tooth_width
   double tooth_height = 0.016;      ///< m, at the lip; above 1.5 lip_edge
   double tooth_tip_height = 0.0035; ///< m; above 0, to tooth_height
+  double tooth_angle = 0.35;        ///< rad, by which the teeth lean down from the floor: they bite first; 0 to 0.8
 
   double hitch_height = 0.070; ///< m, of the hitch points above the floor's underside; between lip and rim
   double hitch_radius = 0.011; ///< m, of the round front of the ear on each cheek; above 0
@@ -97,6 +98,7 @@ inline void require_valid(const DraglineBucket& bucket) {
   require("tooth_tip_width", b.tooth_tip_width, {least, b.tooth_width, "m"});
   require("tooth_height", b.tooth_height, {1.5 * b.lip_edge, b.height, "m"});
   require("tooth_tip_height", b.tooth_tip_height, {least, b.tooth_height, "m"});
+  require("tooth_angle", b.tooth_angle, {0.0, 0.8, "rad"});
 
   require("hitch_radius", b.hitch_radius, {least, 0.25 * b.height, "m"});
   require("hitch_reach", b.hitch_reach, {(1.05 + mouth_slope) * b.hitch_radius, b.length, "m"});

@@ -222,6 +222,11 @@ inline TriangleMesh bucket_tooth(const DraglineBucket& b, const BucketTessellati
   const double middle_x = b.length + 0.2 * b.tooth_length;
   const Vector middle{middle_x, half_width(middle_x), under + 0.4 * b.tooth_height};
   tess::add_fan(half, middle, side);
+  // Leaned down from where the tooth leaves the lip.
+  const double slope = std::tan(b.tooth_angle);
+  for (Vector& v : half.vertices) {
+    v.z() -= slope * (v.x() - rear);
+  }
   return tess::symmetric_shell(std::move(half), weld_tolerance(b));
 }
 
