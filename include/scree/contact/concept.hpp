@@ -6,13 +6,15 @@
 /// numbers for each contact, all 0 when it begins.
 ///
 ///     static constexpr int history_size;
-///     // For each history number: -1 if it changes sign when i and j change places (parts of a vector from j to i),
+///     // For each history number: -1 if it changes sign when i and j change places (parts of a vector from j
+///     to i),
 ///     // else +1.
 ///     static constexpr std::array<int, history_size> history_parity;
 ///     // Refuses a pair of materials that lacks what the law needs; `names` says which pair it is.
 ///     void check(const PairMaterial<double>& pair, std::string_view names) const;
 ///     // The stiffest that a contact gets in an impact at `speed` [m/s] or below.
-///     ContactStiffness stiffness(const PairMaterial<double>& pair, double reduced_radius, double reduced_mass,
+///     ContactStiffness stiffness(const PairMaterial<double>& pair, double reduced_radius, double
+///     reduced_mass,
 ///                                double speed) const;
 ///     // J, held in the springs of a contact.
 ///     double elastic_energy(const PairMaterial<double>& pair, double reduced_radius, double overlap,
@@ -50,21 +52,21 @@ concept StatesStiffness = requires(const L& law, const PairMaterial<double>& pai
 };
 
 template <class L>
-concept StatesEnergy =
-    HasHistory<L> && requires(const L& law, const PairMaterial<double>& pair, double number,
-                              std::span<const double, static_cast<std::size_t>(L::history_size)> history) {
-      { law.elastic_energy(pair, number, number, history) } -> std::convertible_to<double>;
-    };
+concept StatesEnergy = HasHistory<L> &&
+    requires(const L& law, const PairMaterial<double>& pair, double number,
+             std::span<const double, static_cast<std::size_t>(L::history_size)> history) {
+  { law.elastic_energy(pair, number, number, history) } -> std::convertible_to<double>;
+};
 
 template <class L, class T>
-concept EvaluatesForce =
-    HasHistory<L> && requires(const L& law, const PairMaterial<T>& pair, const Kinematics<T>& k,
-                              std::array<T, static_cast<std::size_t>(L::history_size)>& history) {
-      { law.evaluate(pair, k, history) } -> std::same_as<ContactForce<T>>;
-    };
+concept EvaluatesForce = HasHistory<L> &&
+    requires(const L& law, const PairMaterial<T>& pair, const Kinematics<T>& k,
+             std::array<T, static_cast<std::size_t>(L::history_size)>& history) {
+  { law.evaluate(pair, k, history) } -> std::same_as<ContactForce<T>>;
+};
 
 template <class L, class T = double>
 concept ContactLaw = std::copyable<L> && HasHistory<L> && ChecksMaterials<L> && StatesStiffness<L> &&
-                     StatesEnergy<L> && EvaluatesForce<L, T>;
+    StatesEnergy<L> && EvaluatesForce<L, T>;
 
 } // namespace scree

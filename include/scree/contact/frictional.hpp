@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// The part that all laws share: a spring and dashpot in normal and tangential direction, Coulomb's limit, and the
-/// places where extensions join in.
+/// The part that all laws share: a spring and dashpot in normal and tangential direction, Coulomb's limit,
+/// and the places where extensions join in.
 ///
 /// An extension is a small type with, each optional but the first,
 ///
@@ -12,7 +12,8 @@
 ///                                 std::span<T, history_size> history) const;
 ///     // Adds to the couple on i [N m].
 ///     template <class T> Vec3<T> couple(const PairMaterial<T>&, const Kinematics<T>&, T normal_stiffness,
-///                                       T normal_force, std::span<T, history_size> history, T& frictional_work) const;
+///                                       T normal_force, std::span<T, history_size> history, T&
+///                                       frictional_work) const;
 ///
 /// With its parameter at the null value it must leave the base law's result as it is, to the bit.
 
@@ -29,7 +30,8 @@ namespace scree {
 template <class E>
 concept LawExtension = std::copyable<E> && HasHistory<E>;
 
-/// What a normal model (Linear, Hertz) says of one contact. Stiffness of 0 in shear means no tangential spring.
+/// What a normal model (Linear, Hertz) says of one contact. Stiffness of 0 in shear means no tangential
+/// spring.
 template <class T>
 struct SpringDashpot {
   T normal_force;            ///< N, elastic
@@ -40,8 +42,8 @@ struct SpringDashpot {
   T shear_damping;           ///< N s/m
 };
 
-/// Turns a tangential vector with its contact, to third order in the angle of one step, and puts it into the plane
-/// normal to the contact. No root and no quotient: this is done for every contact in every step.
+/// Turns a tangential vector with its contact, to third order in the angle of one step, and puts it into the
+/// plane normal to the contact. No root and no quotient: this is done for every contact in every step.
 template <class T>
 Vec3<T> turned_with_contact(const Vec3<T>& spring, const Kinematics<T>& k) {
   const Vec3<T> once = cross(k.turn, spring);
@@ -51,11 +53,12 @@ Vec3<T> turned_with_contact(const Vec3<T>& spring, const Kinematics<T>& k) {
 
 /// A contact law made of a normal model and any number of extensions.
 ///
-/// Tangential force: F_s = s - c_s v_t with the spring force s turned with the contact and s' = s - k_s v_t dt; where
-/// |F_s| exceeds mu F_n it slides at that limit and the spring keeps what the limit leaves (Coetzee et al. 2010
-/// Eq. (2), in three dimensions).
+/// Tangential force: F_s = s - c_s v_t with the spring force s turned with the contact and s' = s - k_s v_t
+/// dt; where |F_s| exceeds mu F_n it slides at that limit and the spring keeps what the limit leaves (Coetzee
+/// et al. 2010 Eq. (2), in three dimensions).
 ///
-/// History: three numbers of the tangential spring force [N], those of the normal model, those of each extension.
+/// History: three numbers of the tangential spring force [N], those of the normal model, those of each
+/// extension.
 template <class NormalModel, LawExtension... Extensions>
 class FrictionalLaw {
   static constexpr int own = 3 + NormalModel::history_size;
@@ -77,8 +80,7 @@ public:
   }();
 
   FrictionalLaw() = default;
-  explicit FrictionalLaw(const Extensions&... extensions)
-    requires(sizeof...(Extensions) > 0)
+  explicit FrictionalLaw(const Extensions&... extensions) requires(sizeof...(Extensions) > 0)
       : extensions_{extensions...} {}
 
   /// The parameters of one extension.
@@ -87,15 +89,18 @@ public:
     return std::get<E>(extensions_);
   }
 
-  void check(const PairMaterial<double>& pair, std::string_view names) const { NormalModel::check(pair, names); }
+  void check(const PairMaterial<double>& pair, std::string_view names) const {
+    NormalModel::check(pair, names);
+  }
 
   [[nodiscard]] ContactStiffness stiffness(const PairMaterial<double>& pair, double reduced_radius,
                                            double reduced_mass, double speed) const {
     return NormalModel::stiffness(pair, reduced_radius, reduced_mass, speed);
   }
 
-  [[nodiscard]] double elastic_energy(const PairMaterial<double>& pair, double reduced_radius, double overlap,
-                                      std::span<const double, static_cast<std::size_t>(history_size)> h) const {
+  [[nodiscard]] double
+  elastic_energy(const PairMaterial<double>& pair, double reduced_radius, double overlap,
+                 std::span<const double, static_cast<std::size_t>(history_size)> h) const {
     const double spring = h[0] * h[0] + h[1] * h[1] + h[2] * h[2];
     return NormalModel::elastic_energy(pair, reduced_radius, overlap) +
            0.5 * spring * NormalModel::inverse_shear_stiffness(pair, reduced_radius, overlap);
@@ -105,7 +110,8 @@ public:
   ContactForce<T> evaluate(const PairMaterial<T>& pair, const Kinematics<T>& k,
                            std::array<T, static_cast<std::size_t>(history_size)>& history) const {
     Vec3<T> spring = turned_with_contact(Vec3<T>{history[0], history[1], history[2]}, k);
-    const SpringDashpot<T> at = NormalModel::evaluate(pair, k, spring, part<3, NormalModel::history_size>(history));
+    const SpringDashpot<T> at =
+        NormalModel::evaluate(pair, k, spring, part<3, NormalModel::history_size>(history));
 
     const T normal_speed = dot(k.velocity, k.normal);
     const Vec3<T> slip_velocity = k.velocity - k.normal * normal_speed;
@@ -128,7 +134,8 @@ public:
     if (any(sliding)) {
       const T share = select(sliding, limit / square_root(select(sliding, wanted2, T(1))), T(1));
       out.tangential = wanted * share;
-      kept = {select(sliding, out.tangential.x - drag.x, trial.x), select(sliding, out.tangential.y - drag.y, trial.y),
+      kept = {select(sliding, out.tangential.x - drag.x, trial.x),
+              select(sliding, out.tangential.y - drag.y, trial.y),
               select(sliding, out.tangential.z - drag.z, trial.z)};
     }
     history[0] = kept.x;
@@ -142,7 +149,8 @@ public:
       if constexpr (requires(T work) {
                       extension.couple(pair, k, at.normal_stiffness, out.normal, own_history, work);
                     }) {
-        out.couple += extension.couple(pair, k, at.normal_stiffness, out.normal, own_history, out.frictional_work);
+        out.couple +=
+            extension.couple(pair, k, at.normal_stiffness, out.normal, own_history, out.frictional_work);
       }
     });
     return out;
@@ -152,7 +160,8 @@ private:
   template <int first, int count, class T>
   static std::span<T, static_cast<std::size_t>(count)>
   part(std::array<T, static_cast<std::size_t>(history_size)>& history) {
-    return std::span<T, static_cast<std::size_t>(count)>{history.data() + first, static_cast<std::size_t>(count)};
+    return std::span<T, static_cast<std::size_t>(count)>{history.data() + first,
+                                                         static_cast<std::size_t>(count)};
   }
 
   /// Number of the first history value of the extension at `index`.
@@ -169,7 +178,8 @@ private:
   void for_each_extension(std::array<T, static_cast<std::size_t>(history_size)>& history, Visit visit) const {
     [&]<std::size_t... index>(std::index_sequence<index...>) {
       (visit(std::get<index>(extensions_), part<begin_of(index), Extensions::history_size>(history)), ...);
-    }(std::index_sequence_for<Extensions...>{});
+    }
+    (std::index_sequence_for<Extensions...>{});
   }
 
   [[no_unique_address]] std::tuple<Extensions...> extensions_;

@@ -8,11 +8,11 @@
 
 namespace scree {
 
-/// Hertz's normal force F_n = 4/3 E* sqrt(R*) U_n^(3/2) and Mindlin's tangential stiffness k_s = 8 G* sqrt(R* U_n)
-/// without partial slip, loaded in increments; when the overlap falls, the spring is reduced with its stiffness so
-/// that unloading makes no energy (Thornton, Cummins & Cleary, Powder Technol. 233:30, 2013). Dashpots
-/// 2 sqrt(5/6) beta sqrt(S m*) with S the tangent stiffness and beta the damping ratio of the restitution (Tsuji,
-/// Tanaka & Ishida, Powder Technol. 71:239, 1992).
+/// Hertz's normal force F_n = 4/3 E* sqrt(R*) U_n^(3/2) and Mindlin's tangential stiffness k_s = 8 G* sqrt(R*
+/// U_n) without partial slip, loaded in increments; when the overlap falls, the spring is reduced with its
+/// stiffness so that unloading makes no energy (Thornton, Cummins & Cleary, Powder Technol. 233:30, 2013).
+/// Dashpots 2 sqrt(5/6) beta sqrt(S m*) with S the tangent stiffness and beta the damping ratio of the
+/// restitution (Tsuji, Tanaka & Ishida, Powder Technol. 71:239, 1992).
 ///
 /// History: sqrt(R* U_n) of the step before [m].
 struct HertzModel {
@@ -27,18 +27,18 @@ struct HertzModel {
   }
 
   /// At the largest overlap of a free impact, U = (15 m* v^2 / (16 E* sqrt(R*)))^(2/5).
-  static ContactStiffness stiffness(const PairMaterial<double>& pair, double reduced_radius, double reduced_mass,
-                                    double speed) {
-    const double overlap = std::pow(15.0 * reduced_mass * speed * speed /
-                                        (16.0 * pair.youngs_modulus * std::sqrt(reduced_radius)),
-                                    0.4);
+  static ContactStiffness stiffness(const PairMaterial<double>& pair, double reduced_radius,
+                                    double reduced_mass, double speed) {
+    const double overlap = std::pow(
+        15.0 * reduced_mass * speed * speed / (16.0 * pair.youngs_modulus * std::sqrt(reduced_radius)), 0.4);
     const double a = std::sqrt(reduced_radius * overlap);
     return {2.0 * pair.youngs_modulus * a, 8.0 * pair.shear_modulus * a};
   }
   static double elastic_energy(const PairMaterial<double>& pair, double reduced_radius, double overlap) {
     return 8.0 / 15.0 * pair.youngs_modulus * std::sqrt(reduced_radius * overlap) * overlap * overlap;
   }
-  static double inverse_shear_stiffness(const PairMaterial<double>& pair, double reduced_radius, double overlap) {
+  static double inverse_shear_stiffness(const PairMaterial<double>& pair, double reduced_radius,
+                                        double overlap) {
     const double k = 8.0 * pair.shear_modulus * std::sqrt(reduced_radius * overlap);
     return k > 0.0 ? 1.0 / k : 0.0;
   }

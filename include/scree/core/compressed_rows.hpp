@@ -25,8 +25,8 @@ public:
     return {items_.data() + start_[i], start_[i + 1] - start_[i]};
   }
 
-  /// Makes `count` new rows in parallel: `fill(i, row)` appends the items of row i to the vector `row`, which may
-  /// hold those of other rows before it.
+  /// Makes `count` new rows in parallel: `fill(i, row)` appends the items of row i to the vector `row`, which
+  /// may hold those of other rows before it.
   template <class Fill>
   void build(std::size_t count, Workers& workers, Fill fill) {
     const std::size_t chunks = (count + chunk - 1) / chunk;
@@ -46,7 +46,8 @@ public:
     }
     items_.resize(start_[count]);
     workers.for_each(chunks, [&](std::size_t c) {
-      std::copy(parts_[c].begin(), parts_[c].end(), items_.begin() + static_cast<std::ptrdiff_t>(start_[c * chunk]));
+      std::copy(parts_[c].begin(), parts_[c].end(),
+                items_.begin() + static_cast<std::ptrdiff_t>(start_[c * chunk]));
     });
   }
 

@@ -55,8 +55,8 @@ inline double require(std::string_view parameter, double value, const Range& ran
 /// \throws Error naming the parameter and its value.
 inline double require_positive(std::string_view parameter, double value, std::string_view unit = "") {
   if (!(value > 0.0 && std::isfinite(value))) {
-    throw Error(message(parameter, " = ", value, unit.empty() ? "" : " ", unit,
-                        " must be a finite number above 0"));
+    throw Error(
+        message(parameter, " = ", value, unit.empty() ? "" : " ", unit, " must be a finite number above 0"));
   }
   return value;
 }

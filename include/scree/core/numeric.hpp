@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// The few operations that a contact law needs beside arithmetic, so that one source serves a plain number and a
-/// pack of them: a pack type brings its own overloads, found by argument-dependent lookup.
+/// The few operations that a contact law needs beside arithmetic, so that one source serves a plain number
+/// and a pack of them: a pack type brings its own overloads, found by argument-dependent lookup.
 
 #include <cmath>
 #include <concepts>
@@ -15,7 +15,9 @@ constexpr T select(bool condition, T yes, T no) {
 }
 
 /// Whether a condition holds for any contact of a pack: worth a branch where it seldom does.
-constexpr bool any(bool condition) { return condition; }
+constexpr bool any(bool condition) {
+  return condition;
+}
 
 template <std::floating_point T>
 constexpr T larger(T a, T b) {

@@ -14,9 +14,9 @@
 
 namespace scree {
 
-/// A fixed team of threads that waits between loops without being torn down: a time step opens two or three loops
-/// of a fraction of a millisecond each. Tasks are handed out as threads become free, so a task must not depend on
-/// which thread runs it or when.
+/// A fixed team of threads that waits between loops without being torn down: a time step opens two or three
+/// loops of a fraction of a millisecond each. Tasks are handed out as threads become free, so a task must not
+/// depend on which thread runs it or when.
 class Workers {
 public:
   /// A team of `threads` (0: one for each processor), the calling thread among them.

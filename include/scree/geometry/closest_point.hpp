@@ -9,8 +9,8 @@
 
 namespace scree {
 
-/// Which part of a triangle a point lies on, as a set of its corners: all three for the face, two for an edge, one
-/// for a vertex (bit k for corner k).
+/// Which part of a triangle a point lies on, as a set of its corners: all three for the face, two for an
+/// edge, one for a vertex (bit k for corner k).
 using TriangleFeature = std::uint8_t;
 inline constexpr TriangleFeature triangle_face = 7;
 

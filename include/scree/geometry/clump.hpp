@@ -51,14 +51,16 @@ struct Clump {
   MassConvention convention = MassConvention::union_of_spheres;
   double union_volume = 0.0;    ///< m3 that the clump fills whatever the convention; for porosity
   double bounding_radius = 0.0; ///< m, of the sphere about the centre of mass that holds the clump
-  /// How much more easily the softest point of the surface gives way to a force than the centre of mass: the largest
-  /// 1 + m (p x u)^T I^-1 (p x u) over points p and directions u; 3.5 for a sphere. For the stable time step.
+  /// How much more easily the softest point of the surface gives way to a force than the centre of mass: the
+  /// largest 1 + m (p x u)^T I^-1 (p x u) over points p and directions u; 3.5 for a sphere. For the stable
+  /// time step.
   double mobility = 1.0;
 };
 
 namespace detail {
 
-/// The largest of `Clump::mobility` over a fixed set of points on each sphere, with a margin for those between.
+/// The largest of `Clump::mobility` over a fixed set of points on each sphere, with a margin for those
+/// between.
 inline double surface_mobility(const Clump& clump) {
   const Matrix resistance = (clump.volume * clump.inertia.cwiseInverse()).asDiagonal();
   const auto rotational = [&](const Vector& p) {

@@ -11,30 +11,33 @@
 
 namespace scree {
 
-/// The mantle of a circular cylinder, open at its ends: a container seen from inside or a roller seen from outside.
-/// Beyond its ends a sphere touches the rim.
+/// The mantle of a circular cylinder, open at its ends: a container seen from inside or a roller seen from
+/// outside. Beyond its ends a sphere touches the rim.
 struct Cylinder {
   enum class Side { inside, outside };
 
-  Vector base = Vector::Zero();                             ///< m, centre of one end
-  Vector axis = Vector::UnitZ();                            ///< towards the other end; made a unit vector by `checked`
-  double radius = 0.0;                                      ///< m, above 0
-  double length = std::numeric_limits<double>::infinity();  ///< m, above 0
-  Side side = Side::inside;                                 ///< on which the grains are
+  Vector base = Vector::Zero();  ///< m, centre of one end
+  Vector axis = Vector::UnitZ(); ///< towards the other end; made a unit vector by `checked`
+  double radius = 0.0;           ///< m, above 0
+  double length = std::numeric_limits<double>::infinity(); ///< m, above 0
+  Side side = Side::inside;                                ///< on which the grains are
 
   void touch(const Vector& centre, double sphere_radius, SurfaceContacts& contacts) const {
     const Vector from_base = centre - base;
     const double along = from_base.dot(axis);
     const Vector radial = from_base - along * axis;
     const double off_axis = radial.norm();
-    // On the axis every direction is the nearest; a sphere as wide as the tube would need all of them at once.
+    // On the axis every direction is the nearest; a sphere as wide as the tube would need all of them at
+    // once.
     const Vector outward = off_axis > 0.0 ? Vector(radial / off_axis) : Vector(axis.unitOrthogonal());
-    const double at = std::clamp(along, std::isinf(length) ? along : 0.0, std::isinf(length) ? along : length);
+    const double at =
+        std::clamp(along, std::isinf(length) ? along : 0.0, std::isinf(length) ? along : length);
     const Vector point = base + at * axis + radius * outward;
     if (at == along) {
       const double distance = side == Side::inside ? radius - off_axis : off_axis - radius;
       if (distance < sphere_radius) {
-        contacts.push_back({side == Side::inside ? Vector(-outward) : outward, sphere_radius - distance, point});
+        contacts.push_back(
+            {side == Side::inside ? Vector(-outward) : outward, sphere_radius - distance, point});
       }
       return;
     }

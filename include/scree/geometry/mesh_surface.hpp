@@ -25,12 +25,14 @@ namespace scree {
 /// A mesh made ready for contact.
 ///
 /// A sphere touches a surface where the distance from its centre to the surface has a local minimum below its
-/// radius: once on a face, on a convex edge or at a convex vertex, whichever facets meet there, and never at the seam
-/// of two facets of one plane. So a sphere on a tessellated plane moves as on the plane itself. Minima whose normals
-/// agree within ten degrees (concave seams of a tessellated curve) count once, at the deepest.
+/// radius: once on a face, on a convex edge or at a convex vertex, whichever facets meet there, and never at
+/// the seam of two facets of one plane. So a sphere on a tessellated plane moves as on the plane itself.
+/// Minima whose normals agree within ten degrees (concave seams of a tessellated curve) count once, at the
+/// deepest.
 class MeshSurface {
 public:
-  /// \throws Error for an empty mesh, an index out of range, a coordinate that is not a number or a facet without area.
+  /// \throws Error for an empty mesh, an index out of range, a coordinate that is not a number or a facet
+  /// without area.
   explicit MeshSurface(TriangleMesh mesh) : mesh_{std::move(mesh)} {
     if (mesh_.facets.empty()) {
       throw Error("mesh surface: the mesh has no facets");
@@ -97,7 +99,8 @@ public:
       }
     }
     std::sort(minima.begin(), minima.end(), [](const Minimum& a, const Minimum& b) {
-      return a.squared_distance != b.squared_distance ? a.squared_distance < b.squared_distance : a.facet < b.facet;
+      return a.squared_distance != b.squared_distance ? a.squared_distance < b.squared_distance
+                                                      : a.facet < b.facet;
     });
     const std::size_t before = contacts.size();
     for (const Minimum& minimum : minima) {
@@ -105,10 +108,9 @@ public:
         continue;
       }
       const SurfaceContact contact = made(minimum, centre, radius);
-      const bool counted = std::any_of(contacts.begin() + static_cast<std::ptrdiff_t>(before), contacts.end(),
-                                       [&](const SurfaceContact& deeper) {
-                                         return deeper.normal.dot(contact.normal) > same_direction;
-                                       });
+      const bool counted = std::any_of(
+          contacts.begin() + static_cast<std::ptrdiff_t>(before), contacts.end(),
+          [&](const SurfaceContact& deeper) { return deeper.normal.dot(contact.normal) > same_direction; });
       if (!counted) {
         contacts.push_back(contact);
       }
@@ -132,7 +134,8 @@ private:
 
   static Point point(const Vector& v) { return {v.x(), v.y(), v.z()}; }
 
-  /// Whether another facet that shares the edge or vertex comes closer: then this is no minimum of the surface.
+  /// Whether another facet that shares the edge or vertex comes closer: then this is no minimum of the
+  /// surface.
   template <class Minima>
   [[nodiscard]] bool closer_across(const Minimum& minimum, const Minima& minima) const {
     for (const Minimum& other : minima) {
@@ -150,7 +153,8 @@ private:
     const auto& own = mesh_.facets[minimum.facet];
     const auto& others = mesh_.facets[facet];
     for (unsigned k = 0; k < 3; ++k) {
-      if ((minimum.feature >> k & 1U) != 0 && std::find(others.begin(), others.end(), own[k]) == others.end()) {
+      if ((minimum.feature >> k & 1U) != 0 &&
+          std::find(others.begin(), others.end(), own[k]) == others.end()) {
         return false;
       }
     }

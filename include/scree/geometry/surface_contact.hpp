@@ -9,7 +9,7 @@
 namespace scree {
 
 struct SurfaceContact {
-  Vector normal; ///< unit vector from the surface to the centre of the sphere
+  Vector normal;  ///< unit vector from the surface to the centre of the sphere
   double overlap; ///< m, above 0
   Vector point;   ///< m, of the surface, nearest to the centre
 };

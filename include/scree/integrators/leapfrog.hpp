@@ -7,9 +7,10 @@
 
 namespace scree {
 
-/// Leapfrog: velocities half a step from positions, orientation by the quaternion update of Coetzee et al. (2010)
-/// Eqs. (11)-(15) with the mid-step angular velocity, Euler's equations by their implicit midpoint. Second order.
-/// Keeps the energy of a free body; the direction of its angular momentum wanders within O(dt^2).
+/// Leapfrog: velocities half a step from positions, orientation by the quaternion update of Coetzee et al.
+/// (2010) Eqs. (11)-(15) with the mid-step angular velocity, Euler's equations by their implicit midpoint.
+/// Second order. Keeps the energy of a free body; the direction of its angular momentum wanders within
+/// O(dt^2).
 struct Leapfrog {
   template <class Real>
   static void translate(Vec3<double>& position, Vec3<Real>& velocity, const Vec3<Real>& acceleration,

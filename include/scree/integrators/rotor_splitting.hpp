@@ -6,10 +6,11 @@
 
 namespace scree {
 
-/// Rotation by the symmetric splitting of the free rotor into five turns about principal axes (Dullweber, Leimkuhler
-/// & McLachlan, J. Chem. Phys. 107:5840, 1997), kicked by the moment in the middle of the leapfrog. Each turn is
-/// exact, so the angular momentum in space is kept to rounding at any step and ratio of the moments, the map is
-/// symplectic and reversible, and the energy error stays bounded. Second order. Translation as in Leapfrog.
+/// Rotation by the symmetric splitting of the free rotor into five turns about principal axes (Dullweber,
+/// Leimkuhler & McLachlan, J. Chem. Phys. 107:5840, 1997), kicked by the moment in the middle of the
+/// leapfrog. Each turn is exact, so the angular momentum in space is kept to rounding at any step and ratio
+/// of the moments, the map is symplectic and reversible, and the energy error stays bounded. Second order.
+/// Translation as in Leapfrog.
 struct RotorSplitting : Leapfrog {
   static void rotate(Quaternion& orientation, Vector& angular_velocity, const Vector& moment,
                      const Vector& inertia, const TimeStep& step) {

@@ -13,9 +13,9 @@
 
 namespace scree {
 
-/// A trough along x from 0 to `length`, between y = -width/2 and width/2, with its brim at z = 0 and the floor below: flat,
-/// or shaped along x as the path of a bucket asks (Coetzee et al. 2010 Fig. 11; the drawing's dimensions are not in the
-/// text).
+/// A trough along x from 0 to `length`, between y = -width/2 and width/2, with its brim at z = 0 and the
+/// floor below: flat, or shaped along x as the path of a bucket asks (Coetzee et al. 2010 Fig. 11; the
+/// drawing's dimensions are not in the text).
 struct BedContainer {
   /// A corner of the floor in the side view.
   struct FloorPoint {
@@ -32,10 +32,13 @@ struct BedContainer {
     return {length, width, {{0.0, depth}, {length, depth}}};
   }
 
-  /// A floor that follows the parabolic path of a bucket: shallow where it enters, deepest where it has filled a bit over
-  /// half of its way, and rising again in front. About three quarters of the box, as the paper's; the numbers are ours.
+  /// A floor that follows the parabolic path of a bucket: shallow where it enters, deepest where it has
+  /// filled a bit over half of its way, and rising again in front. About three quarters of the box, as the
+  /// paper's; the numbers are ours.
   static BedContainer shaped(double length, double width, double depth) {
-    return {length, width, {{0.0, 0.45 * depth}, {0.35 * length, depth}, {0.7 * length, depth}, {length, 0.35 * depth}}};
+    return {length,
+            width,
+            {{0.0, 0.45 * depth}, {0.35 * length, depth}, {0.7 * length, depth}, {length, 0.35 * depth}}};
   }
 
   /// m.
@@ -101,7 +104,8 @@ struct BedContainer {
 
 private:
   [[nodiscard]] bool flat() const {
-    return std::all_of(floor.begin(), floor.end(), [&](const FloorPoint& p) { return p.depth == floor.front().depth; });
+    return std::all_of(floor.begin(), floor.end(),
+                       [&](const FloorPoint& p) { return p.depth == floor.front().depth; });
   }
 
   void check() const {

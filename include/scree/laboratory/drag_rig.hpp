@@ -17,13 +17,13 @@ namespace scree {
 
 /// One line of the record.
 struct DragSample {
-  double time = 0.0;         ///< s, since the winch started
-  double drag = 0.0;         ///< m, of the bucket's centre of gravity along the bed
-  double force = 0.0;        ///< N, of both ropes, mean since the sample before
-  double force_left = 0.0;   ///< N
-  double force_right = 0.0;  ///< N
-  Attitude attitude{};       ///< rad
-  double depth = 0.0;        ///< m, of the centre of gravity, normal to the bed, below its place at the start
+  double time = 0.0;        ///< s, since the winch started
+  double drag = 0.0;        ///< m, of the bucket's centre of gravity along the bed
+  double force = 0.0;       ///< N, of both ropes, mean since the sample before
+  double force_left = 0.0;  ///< N
+  double force_right = 0.0; ///< N
+  Attitude attitude{};      ///< rad
+  double depth = 0.0;       ///< m, of the centre of gravity, normal to the bed, below its place at the start
   BucketFill fill{};
   std::size_t bodies = 0;
   double kinetic_energy = 0.0;  ///< J, of grains and bucket
@@ -43,8 +43,11 @@ public:
 
   /// \throws Error for a parameter out of range.
   DragRig(const DragSetup& setup, BucketBody bucket, Setup<Model> physics = {})
-      : setup_{setup}, bucket_{std::move(bucket)}, box_{bounding_box(bucket_.surface)},
-        gauge_{bucket_.interior, box_.sizes().z()}, simulation_{physics_of(setup, std::move(physics))},
+      : setup_{setup},
+        bucket_{std::move(bucket)},
+        box_{bounding_box(bucket_.surface)},
+        gauge_{bucket_.interior, box_.sizes().z()},
+        simulation_{physics_of(setup, std::move(physics))},
         random_{setup.seed, "bed"} {
     check();
     rock_ = simulation_.add_material(setup_.rock);
@@ -61,8 +64,8 @@ public:
     return report_;
   }
 
-  /// Lays the bucket flat on the bed, hitches the ropes taut and lets it come to rest. `watch(simulation)` is called after
-  /// every step.
+  /// Lays the bucket flat on the bed, hitches the ropes taut and lets it come to rest. `watch(simulation)` is
+  /// called after every step.
   template <class Watch>
   void place_bucket(Watch watch) {
     const Eigen::AlignedBox2d plan{Eigen::Vector2d{setup_.bucket_start, box_.min().y()},
@@ -78,13 +81,14 @@ public:
     const std::array<const char*, 2> names{"left", "right"};
     for (std::size_t k = 0; k < 2; ++k) {
       const Vector hitch = motion.to_space(bucket_.hitches[k]);
-      ropes.push_back({.name = names[k],
-                       .hitch = bucket_.hitches[k],
-                       .winch = {hitch.x() + setup_.winch_distance, hitch.y(), setup_.winch_height},
-                       .stiffness = setup_.rope_stiffness,
-                       .damping = setup_.rope_damping,
-                       // The rope hangs loose while the bucket sinks to its rest, and is hauled taut at the start.
-                       .wound = [this](double time) { return setup_.wound(time - winch_start_); }});
+      ropes.push_back(
+          {.name = names[k],
+           .hitch = bucket_.hitches[k],
+           .winch = {hitch.x() + setup_.winch_distance, hitch.y(), setup_.winch_height},
+           .stiffness = setup_.rope_stiffness,
+           .damping = setup_.rope_damping,
+           // The rope hangs loose while the bucket sinks to its rest, and is hauled taut at the start.
+           .wound = [this](double time) { return setup_.wound(time - winch_start_); }});
     }
     wall_ = simulation_.add_wall({.name = "bucket",
                                   .surfaces = {{bucket_.surface, steel_}},
@@ -174,11 +178,12 @@ private:
     require("bucket_start", setup_.bucket_start, {0.0, setup_.bed_length, "m"});
     const double needed = setup_.bucket_start + box_.sizes().x() + setup_.drag_distance;
     if (needed > setup_.bed_length) {
-      throw Error(message("bed_length = ", setup_.bed_length, " m is too short: start, bucket and drag distance need ",
-                          needed, " m"));
+      throw Error(message("bed_length = ", setup_.bed_length,
+                          " m is too short: start, bucket and drag distance need ", needed, " m"));
     }
     if (box_.sizes().y() > setup_.bed_width) {
-      throw Error(message("bed_width = ", setup_.bed_width, " m is narrower than the bucket, ", box_.sizes().y(), " m"));
+      throw Error(message("bed_width = ", setup_.bed_width, " m is narrower than the bucket, ",
+                          box_.sizes().y(), " m"));
     }
     if (setup_.winch_distance < setup_.drag_distance * 1.05) {
       throw Error(message("winch_distance = ", setup_.winch_distance, " m must exceed the drag distance ",
@@ -188,11 +193,13 @@ private:
 
   [[nodiscard]] Vector centre() const { return simulation_.wall(wall_).motion.to_space(bucket_.body.centre); }
 
-  /// Removes grains further behind the bucket than the removal distance and makes the row behind that line a wall.
+  /// Removes grains further behind the bucket than the removal distance and makes the row behind that line a
+  /// wall.
   void remove_behind() {
     const double rear = simulation_.wall(wall_).motion.to_space(Vector{box_.min().x(), 0.0, 0.0}).x();
     const double cut = rear - setup_.removal_distance * box_.sizes().x();
-    simulation_.remove_bodies([&](const auto& bodies, std::size_t b) { return bodies.position(b).x() < cut; });
+    simulation_.remove_bodies(
+        [&](const auto& bodies, std::size_t b) { return bodies.position(b).x() < cut; });
     simulation_.fix_bodies([&](const auto& bodies, std::size_t b) {
       return bodies.position(b).x() - bodies.bounding_radius(b) < cut;
     });
@@ -203,11 +210,12 @@ private:
     for (const Vector& vertex : bucket_.surface.vertices) {
       const Vector at = motion.to_space(vertex);
       if (at.z() < -setup_.container().depth_at(at.x())) {
-        throw Error(message("the bucket has reached the floor of the trough at t = ", simulation_.time(), " s, drag ",
-                            drag(), " m: make the bed deeper"));
+        throw Error(message("the bucket has reached the floor of the trough at t = ", simulation_.time(),
+                            " s, drag ", drag(), " m: make the bed deeper"));
       }
       if (at.x() > setup_.bed_length) {
-        throw Error(message("the bucket has reached the end of the trough at t = ", simulation_.time(), " s"));
+        throw Error(
+            message("the bucket has reached the end of the trough at t = ", simulation_.time(), " s"));
       }
     }
   }

@@ -13,18 +13,18 @@
 
 namespace scree {
 
-/// The experiment of Coetzee, Els & Dymond (2010), sections 3, 6 and 7. Values marked [paper] are stated there; all others
-/// are ours.
+/// The experiment of Coetzee, Els & Dymond (2010), sections 3, 6 and 7. Values marked [paper] are stated
+/// there; all others are ours.
 struct DragSetup {
   std::uint64_t seed = 1;
   unsigned threads = 0; ///< 0: one for each processor
 
   // The rock.
   Material rock{.name = "rock",
-                .density = 1518.0,           // kg/m3 [paper, Table 1]
-                .normal_stiffness = 1.75e7,  // N/m, of a particle [paper, Table 1]
-                .shear_stiffness = 1.75e7,   // N/m [paper, Table 1]
-                .friction = 0.53,            // [paper, Table 1]
+                .density = 1518.0,          // kg/m3 [paper, Table 1]
+                .normal_stiffness = 1.75e7, // N/m, of a particle [paper, Table 1]
+                .shear_stiffness = 1.75e7,  // N/m [paper, Table 1]
+                .friction = 0.53,           // [paper, Table 1]
                 .restitution = 0.4};
   Stiffness stiffness = Stiffness::of_particle;
   MassConvention mass_convention = MassConvention::sum_of_spheres;
@@ -54,27 +54,29 @@ struct DragSetup {
   BedRecipe bed{};
 
   // The bucket and its ropes.
-  double bucket_start = 0.2;      ///< m, of the rear of the bucket from the rear wall
-  double drag_speed = 0.15;       ///< m/s, of the ropes; 0.1 to 0.2 [paper, section 7]
-  double ramp = 0.2;              ///< s, in which the winch comes up to speed
-  double rope_stiffness = 5e5;    ///< N/m, each: 6 mm steel wire rope of 3 m
-  double rope_damping = 0.0;      ///< N s/m, each
-  double winch_distance = 3.0;    ///< m, ahead of the hitch points at the start
-  double winch_height = 0.1;      ///< m, above the surface of the bed
-  double drag_distance = 1.0;     ///< m [paper]
-  double placing_time = 0.1;      ///< s, for the bucket to come to rest on the bed before it is pulled
+  double bucket_start = 0.2;   ///< m, of the rear of the bucket from the rear wall
+  double drag_speed = 0.15;    ///< m/s, of the ropes; 0.1 to 0.2 [paper, section 7]
+  double ramp = 0.2;           ///< s, in which the winch comes up to speed
+  double rope_stiffness = 5e5; ///< N/m, each: 6 mm steel wire rope of 3 m
+  double rope_damping = 0.0;   ///< N s/m, each
+  double winch_distance = 3.0; ///< m, ahead of the hitch points at the start
+  double winch_height = 0.1;   ///< m, above the surface of the bed
+  double drag_distance = 1.0;  ///< m [paper]
+  double placing_time = 0.1;   ///< s, for the bucket to come to rest on the bed before it is pulled
 
   // Grains that no longer matter [paper, section 6.3].
   bool remove_behind = true;
-  double removal_distance = 1.0;  ///< bucket lengths behind the bucket [paper]
-  double removal_interval = 0.1;  ///< m of drag between two removals
+  double removal_distance = 1.0; ///< bucket lengths behind the bucket [paper]
+  double removal_interval = 0.1; ///< m of drag between two removals
 
   [[nodiscard]] BedContainer container() const {
     return shaped_bed ? BedContainer::shaped(bed_length, bed_width, bed_depth)
                       : BedContainer::box(bed_length, bed_width, bed_depth);
   }
   /// m/s2; x along the drag, z normal to the bed.
-  [[nodiscard]] Vector gravity() const { return 9.81 * Vector{-std::sin(drag_angle), 0.0, -std::cos(drag_angle)}; }
+  [[nodiscard]] Vector gravity() const {
+    return 9.81 * Vector{-std::sin(drag_angle), 0.0, -std::cos(drag_angle)};
+  }
   /// m of rope wound in at `time` [s] after the start of the winch: speed rises evenly over the ramp.
   [[nodiscard]] double wound(double time) const {
     if (time <= 0.0) {
@@ -84,7 +86,8 @@ struct DragSetup {
   }
 };
 
-/// The desk version: fewer, larger grains, softer, a faster rope and a smaller trough, but the whole metre. All ours.
+/// The desk version: fewer, larger grains, softer, a faster rope and a smaller trough, but the whole metre.
+/// All ours.
 inline DragSetup desk_drag() {
   DragSetup s;
   s.size_factor = 2.2;
@@ -101,10 +104,11 @@ inline DragSetup desk_drag() {
   return s;
 }
 
-/// The bucket as a rigid body: surface, interior, hitch points and mass, in one frame (x ahead, y left, z up).
+/// The bucket as a rigid body: surface, interior, hitch points and mass, in one frame (x ahead, y left, z
+/// up).
 struct BucketBody {
   TriangleMesh surface;
-  TriangleMesh interior; ///< closed, struck off level
+  TriangleMesh interior;           ///< closed, struck off level
   std::array<Vector, 2> hitches{}; ///< m, left and right
   MassProperties body;
 };

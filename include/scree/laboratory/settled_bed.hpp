@@ -20,13 +20,13 @@ namespace scree {
 
 /// How a bed is made. All numbers are ours, not in the paper.
 struct BedRecipe {
-  double porosity = 0.0;            ///< to reach, in (0, 1); 0: as it comes to rest under its own friction
+  double porosity = 0.0;             ///< to reach, in (0, 1); 0: as it comes to rest under its own friction
   double porosity_tolerance = 0.005; ///< absolute
-  double surplus = 0.12;            ///< of the volume, poured and struck off at the brim, above 0
-  double expected_porosity = 0.42;  ///< for how much to pour, where none is requested
-  double settling_damping = 0.3;    ///< local, while the grains come to rest, in [0, 1)
-  double rest = 0.05;               ///< mean unbalanced over mean contact force that counts as rest
-  double patience = 3.0;            ///< s of simulated time for each stage, above 0
+  double surplus = 0.12;             ///< of the volume, poured and struck off at the brim, above 0
+  double expected_porosity = 0.42;   ///< for how much to pour, where none is requested
+  double settling_damping = 0.3;     ///< local, while the grains come to rest, in [0, 1)
+  double rest = 0.05;                ///< mean unbalanced over mean contact force that counts as rest
+  double patience = 3.0;             ///< s of simulated time for each stage, above 0
 };
 
 /// What came of it.
@@ -36,7 +36,7 @@ struct BedReport {
   double unbalanced = 0.0;      ///< mean unbalanced over mean contact force
   double bulk_density = 0.0;    ///< kg/m3, of all grains below the brim over the volume of the trough
   std::size_t poured = 0, kept = 0;
-  double duration = 0.0;        ///< s, simulated
+  double duration = 0.0; ///< s, simulated
 };
 
 /// Stages that `settle_bed` reports to its observer.
@@ -60,8 +60,8 @@ inline Eigen::AlignedBox3d bed_core(const BedContainer& bed, double grain) {
 }
 
 /// A loose pile above the trough, as high over each place as the trough is deep there.
-inline Packing poured(const BedContainer& bed, const Assembly& assembly, MaterialId rock, const BedRecipe& recipe,
-                      Random& random) {
+inline Packing poured(const BedContainer& bed, const Assembly& assembly, MaterialId rock,
+                      const BedRecipe& recipe, Random& random) {
   const double expected = recipe.porosity > 0.0 ? recipe.porosity : recipe.expected_porosity;
   const double box = bed.length * bed.width * bed.deepest();
   const auto drawn = assembly.draw_volume(box * (1.0 - expected) * (1.0 + recipe.surplus), random);
@@ -87,14 +87,17 @@ template <class Simulation, class Watch>
 double come_to_rest(Simulation& simulation, const BedRecipe& recipe, double least, Watch& watch) {
   const double start = simulation.time();
   double ratio = 1.0, next = start + least;
-  run_while(simulation, [&](const auto& s) {
-    if (s.time() < next) {
-      return true;
-    }
-    next = s.time() + 0.02;
-    ratio = unbalanced_force(s).ratio();
-    return ratio > recipe.rest && s.time() < start + recipe.patience;
-  }, watch);
+  run_while(
+      simulation,
+      [&](const auto& s) {
+        if (s.time() < next) {
+          return true;
+        }
+        next = s.time() + 0.02;
+        ratio = unbalanced_force(s).ratio();
+        return ratio > recipe.rest && s.time() < start + recipe.patience;
+      },
+      watch);
   return ratio;
 }
 
@@ -103,7 +106,8 @@ double come_to_rest(Simulation& simulation, const BedRecipe& recipe, double leas
 /// Shakes the bed without friction until `measured()` reaches the recipe's porosity. Returns the porosity.
 /// \throws Error where it cannot be reached.
 template <class Simulation, class Measured, class Watch>
-double densify(Simulation& simulation, MaterialId rock, const BedRecipe& recipe, const Measured& measured, Watch& watch) {
+double densify(Simulation& simulation, MaterialId rock, const BedRecipe& recipe, const Measured& measured,
+               Watch& watch) {
   const Material material = simulation.materials().at(rock);
   const Vector gravity = simulation.setup().gravity;
   Material slippery = material;
@@ -116,36 +120,40 @@ double densify(Simulation& simulation, MaterialId rock, const BedRecipe& recipe,
   // A tenth of gravity at 20 Hz: enough to unlock, too little to throw.
   const double start = simulation.time();
   double checked = start;
-  run_while(simulation, [&](const auto& s) {
-    const double t = s.time() - start;
-    simulation.set_gravity(gravity * (1.0 + 0.1 * std::sin(2.0 * std::numbers::pi * 20.0 * t)));
-    if (s.time() - checked >= 0.005) {
-      checked = s.time();
-      porosity = measured();
-      densest = std::min(densest, porosity);
-    }
-    return porosity > recipe.porosity && t < recipe.patience;
-  }, watch);
+  run_while(
+      simulation,
+      [&](const auto& s) {
+        const double t = s.time() - start;
+        simulation.set_gravity(gravity * (1.0 + 0.1 * std::sin(2.0 * std::numbers::pi * 20.0 * t)));
+        if (s.time() - checked >= 0.005) {
+          checked = s.time();
+          porosity = measured();
+          densest = std::min(densest, porosity);
+        }
+        return porosity > recipe.porosity && t < recipe.patience;
+      },
+      watch);
   simulation.set_gravity(gravity);
   simulation.change_material(rock, material);
   if (porosity > recipe.porosity + recipe.porosity_tolerance) {
-    throw Error(message("bed porosity = ", recipe.porosity, " is denser than this material packs: it allows ", densest,
-                        " to ", loosest));
+    throw Error(message("bed porosity = ", recipe.porosity, " is denser than this material packs: it allows ",
+                        densest, " to ", loosest));
   }
   return porosity;
 }
 
-/// Pours grains of `assembly` into `bed`, lets them come to rest, makes them denser where a porosity is requested, strikes
-/// them off at the brim and lets them rest again. The walls of the bed must be in the simulation. The bed stays in the
-/// simulation with the history of its contacts. `watch(simulation, BedStage)` is called after every step.
+/// Pours grains of `assembly` into `bed`, lets them come to rest, makes them denser where a porosity is
+/// requested, strikes them off at the brim and lets them rest again. The walls of the bed must be in the
+/// simulation. The bed stays in the simulation with the history of its contacts. `watch(simulation,
+/// BedStage)` is called after every step.
 ///
-/// Denser: the friction between grains is taken away while the bed is shaken gently, until the porosity is reached; then
-/// it is given back. So a requested porosity lies between what gentle pouring leaves and what shaking without friction
-/// reaches.
-/// \throws Error for a porosity that this material does not reach, with the range that it does.
+/// Denser: the friction between grains is taken away while the bed is shaken gently, until the porosity is
+/// reached; then it is given back. So a requested porosity lies between what gentle pouring leaves and what
+/// shaking without friction reaches. \throws Error for a porosity that this material does not reach, with the
+/// range that it does.
 template <class Simulation, class Watch>
-BedReport settle_bed(Simulation& simulation, const BedContainer& bed, const Assembly& assembly, MaterialId rock,
-                     const BedRecipe& recipe, Random& random, Watch watch) {
+BedReport settle_bed(Simulation& simulation, const BedContainer& bed, const Assembly& assembly,
+                     MaterialId rock, const BedRecipe& recipe, Random& random, Watch watch) {
   if (recipe.porosity != 0.0) {
     require("bed porosity", recipe.porosity, {0.05, 0.95});
   }
@@ -159,7 +167,8 @@ BedReport settle_bed(Simulation& simulation, const BedContainer& bed, const Asse
   const Packing pile = detail::poured(bed, assembly, rock, recipe, random);
   double grain = 0.0;
   for (const PackedBody& body : pile.bodies) {
-    grain += 2.0 * pile.shapes[body.shape].bounding_radius * body.scale / static_cast<double>(pile.bodies.size());
+    grain +=
+        2.0 * pile.shapes[body.shape].bounding_radius * body.scale / static_cast<double>(pile.bodies.size());
   }
   simulation.add(pile);
   report.poured = pile.bodies.size();
@@ -176,9 +185,10 @@ BedReport settle_bed(Simulation& simulation, const BedContainer& bed, const Asse
   report.poured_porosity = report.porosity = measured();
   if (recipe.porosity > 0.0) {
     if (report.porosity < recipe.porosity - recipe.porosity_tolerance) {
-      throw Error(message("bed porosity = ", recipe.porosity, " is looser than this material settles: poured gently it "
-                          "comes to rest at ", report.porosity, " (friction ", simulation.materials().at(rock).friction,
-                          ")"));
+      throw Error(message("bed porosity = ", recipe.porosity,
+                          " is looser than this material settles: poured gently it "
+                          "comes to rest at ",
+                          report.porosity, " (friction ", simulation.materials().at(rock).friction, ")"));
     }
     stage = {"densifying", 0.6};
     report.porosity = densify(simulation, rock, recipe, measured, observe);

@@ -37,7 +37,8 @@ struct Material {
 
 /// What the stiffness of a material stands for.
 enum class Stiffness {
-  of_particle, ///< two particles touch through their springs in series, k = k1 k2 / (k1 + k2): the paper's (PFC)
+  of_particle, ///< two particles touch through their springs in series, k = k1 k2 / (k1 + k2): the paper's
+               ///< (PFC)
   of_contact   ///< the value is that of the contact; unlike materials take the smaller
 };
 

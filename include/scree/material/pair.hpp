@@ -18,14 +18,14 @@ namespace scree {
 /// Constants of a contact, in the number type of the contact law.
 template <class T>
 struct PairMaterial {
-  T normal_stiffness{};         ///< N/m, of the contact
-  T shear_stiffness{};          ///< N/m, of the contact
-  T inverse_shear_stiffness{};  ///< m/N; 0 where there is no shear stiffness
-  T youngs_modulus{};           ///< Pa, E* of Hertz
-  T shear_modulus{};            ///< Pa, G* of Mindlin
+  T normal_stiffness{};        ///< N/m, of the contact
+  T shear_stiffness{};         ///< N/m, of the contact
+  T inverse_shear_stiffness{}; ///< m/N; 0 where there is no shear stiffness
+  T youngs_modulus{};          ///< Pa, E* of Hertz
+  T shear_modulus{};           ///< Pa, G* of Mindlin
   T friction{};
   T rolling_friction{};
-  T damping_ratio{};            ///< of critical, from the restitution
+  T damping_ratio{};              ///< of critical, from the restitution
   T normal_damping_coefficient{}; ///< sqrt(kg/m) s^-1: 2 ratio sqrt(k_n), times sqrt(m*) gives N s/m
   T shear_damping_coefficient{};  ///< the same with k_s
   T normal_damping_rate{};        ///< 1/s, times m* gives N s/m
@@ -34,9 +34,17 @@ struct PairMaterial {
   template <class U>
   [[nodiscard]] PairMaterial<U> as() const {
     const auto c = [](T value) { return static_cast<U>(value); };
-    return {c(normal_stiffness), c(shear_stiffness), c(inverse_shear_stiffness),    c(youngs_modulus),
-            c(shear_modulus),    c(friction),        c(rolling_friction),           c(damping_ratio),
-            c(normal_damping_coefficient),           c(shear_damping_coefficient),  c(normal_damping_rate),
+    return {c(normal_stiffness),
+            c(shear_stiffness),
+            c(inverse_shear_stiffness),
+            c(youngs_modulus),
+            c(shear_modulus),
+            c(friction),
+            c(rolling_friction),
+            c(damping_ratio),
+            c(normal_damping_coefficient),
+            c(shear_damping_coefficient),
+            c(normal_damping_rate),
             c(shear_damping_rate)};
   }
 };
@@ -66,7 +74,9 @@ inline PairMaterial<double> mix(const Material& a, const Material& b, Stiffness 
     return p + q > 0.0 ? p * q / (p + q) : 0.0;
   };
   const auto series = [](double p, double q) { return p > 0.0 && q > 0.0 ? 1.0 / (1.0 / p + 1.0 / q) : 0.0; };
-  const auto plane = [](const Material& m) { return m.youngs_modulus / (1.0 - m.poisson_ratio * m.poisson_ratio); };
+  const auto plane = [](const Material& m) {
+    return m.youngs_modulus / (1.0 - m.poisson_ratio * m.poisson_ratio);
+  };
   const auto shear = [](const Material& m) {
     return m.youngs_modulus / (2.0 * (1.0 + m.poisson_ratio) * (2.0 - m.poisson_ratio));
   };

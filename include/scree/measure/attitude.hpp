@@ -19,7 +19,8 @@ struct Attitude {
 inline Attitude attitude(const Quaternion& orientation) {
   const Matrix turn = orientation.toRotationMatrix();
   const Vector ahead = turn.col(0), left = turn.col(1), up = turn.col(2);
-  return {std::asin(std::clamp(ahead.z(), -1.0, 1.0)), std::atan2(left.z(), up.z()), std::atan2(ahead.y(), ahead.x())};
+  return {std::asin(std::clamp(ahead.z(), -1.0, 1.0)), std::atan2(left.z(), up.z()),
+          std::atan2(ahead.y(), ahead.x())};
 }
 
 } // namespace scree

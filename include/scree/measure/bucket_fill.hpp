@@ -12,15 +12,17 @@
 namespace scree {
 
 struct BucketFill {
-  double struck = 0.0; ///< kg, of bodies whose centre lies in the interior, closed level at the rim and at the mouth
-  double heaped = 0.0; ///< kg, those and the ones heaped on them, above the rim
+  double struck =
+      0.0; ///< kg, of bodies whose centre lies in the interior, closed level at the rim and at the mouth
+  double heaped = 0.0;    ///< kg, those and the ones heaped on them, above the rim
   std::size_t bodies = 0; ///< in `heaped`
 };
 
 /// Counts bodies by their centres against the closed interior of a bucket, as the paper does (section 7).
 class BucketGauge {
 public:
-  /// `interior`: closed mesh in the frame of the bucket, z up. A heap is counted up to `heap_height` [m] above it.
+  /// `interior`: closed mesh in the frame of the bucket, z up. A heap is counted up to `heap_height` [m]
+  /// above it.
   BucketGauge(TriangleMesh interior, double heap_height)
       : interior_{std::move(interior)}, box_{bounding_box(interior_)}, heap_height_{heap_height} {}
 

@@ -13,8 +13,9 @@
 
 namespace scree {
 
-/// Share of `region` [m] that no sphere covers, by counting the points of a lattice with about `points` points, which is
-/// right for overlapping spheres and for grains that the region cuts. Standard error about 0.4 / sqrt(points).
+/// Share of `region` [m] that no sphere covers, by counting the points of a lattice with about `points`
+/// points, which is right for overlapping spheres and for grains that the region cuts. Standard error about
+/// 0.4 / sqrt(points).
 template <class Real>
 double porosity(const Bodies<Real>& bodies, const Eigen::AlignedBox3d& region, std::size_t points = 200'000) {
   if (region.isEmpty() || !(region.volume() > 0.0)) {

@@ -11,7 +11,8 @@
 
 namespace scree {
 
-/// m, of the highest point of any sphere over a rectangle of the plan (x and y of `plan`); minus infinity over none.
+/// m, of the highest point of any sphere over a rectangle of the plan (x and y of `plan`); minus infinity
+/// over none.
 template <class Real>
 double highest_point(const Bodies<Real>& bodies, const Eigen::AlignedBox2d& plan) {
   double most = -std::numeric_limits<double>::infinity();

@@ -10,13 +10,15 @@
 
 namespace scree {
 
-/// Sorts the balls into cells of the largest diameter plus the margin and looks at the 27 cells around each. Cells
-/// are widened where a few balls are spread over a large space, so that memory stays in proportion to the balls.
+/// Sorts the balls into cells of the largest diameter plus the margin and looks at the 27 cells around each.
+/// Cells are widened where a few balls are spread over a large space, so that memory stays in proportion to
+/// the balls.
 class CellGrid {
 public:
   [[nodiscard]] static double skin(double) { return 0.0; }
 
-  void find(std::span<const Ball> balls, std::size_t owned, double margin, Workers& workers, CandidateRows& rows) {
+  void find(std::span<const Ball> balls, std::size_t owned, double margin, Workers& workers,
+            CandidateRows& rows) {
     fill(balls, margin);
     rows.build(owned, workers, [&](std::size_t i, std::vector<std::uint32_t>& row) {
       const auto at = cell(balls[i].centre);

@@ -14,8 +14,8 @@
 
 namespace scree {
 
-/// A packed R-tree (sort-tile-recursive) made anew at each search. Slower than a grid where all balls are of one
-/// size, indifferent to how widely the sizes are spread.
+/// A packed R-tree (sort-tile-recursive) made anew at each search. Slower than a grid where all balls are of
+/// one size, indifferent to how widely the sizes are spread.
 struct RTree {
   [[nodiscard]] static double skin(double) { return 0.0; }
 

@@ -17,7 +17,8 @@ struct VerletList {
     return thickness > 0.0 ? thickness : share * smallest_radius;
   }
 
-  void find(std::span<const Ball> balls, std::size_t owned, double margin, Workers& workers, CandidateRows& rows) {
+  void find(std::span<const Ball> balls, std::size_t owned, double margin, Workers& workers,
+            CandidateRows& rows) {
     search.find(balls, owned, margin, workers, rows);
   }
 };

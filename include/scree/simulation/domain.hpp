@@ -23,8 +23,11 @@ public:
       require(message("period[", d, "]"), period[d], {0.0, 1e300, "m"});
     }
     for (std::uint32_t image = 0; image < shifts_.size(); ++image) {
-      const auto along = [&](std::uint32_t digit, double length) { return (static_cast<double>(digit) - 1.0) * length; };
-      shifts_[image] = {along(image % 3, period[0]), along(image / 3 % 3, period[1]), along(image / 9, period[2])};
+      const auto along = [&](std::uint32_t digit, double length) {
+        return (static_cast<double>(digit) - 1.0) * length;
+      };
+      shifts_[image] = {along(image % 3, period[0]), along(image / 3 % 3, period[1]),
+                        along(image / 9, period[2])};
     }
   }
 
@@ -61,8 +64,8 @@ public:
     images.clear();
     for (int d = 0; d < 3; ++d) {
       if (period_[d] > 0.0 && period_[d] < 3.0 * reach) {
-        throw Error(message("period[", d, "] = ", period_[d], " m must be at least three times the reach of a contact, ",
-                            3.0 * reach, " m"));
+        throw Error(message("period[", d, "] = ", period_[d],
+                            " m must be at least three times the reach of a contact, ", 3.0 * reach, " m"));
       }
     }
     const std::size_t owned = balls.size();

@@ -60,8 +60,8 @@ constexpr bool parity_fits() {
          std::all_of(parity.begin(), parity.end(), [](int p) { return p == -1 || p == 1; });
 }
 
-// The checks below state every requirement by itself, so that the compiler's message names the operation that is
-// missing, and each only where those that it builds on hold, so that one mistake gives one message.
+// The checks below state every requirement by itself, so that the compiler's message names the operation that
+// is missing, and each only where those that it builds on hold, so that one mistake gives one message.
 
 template <class Contact, class Real>
 struct ContactCheck {
@@ -69,7 +69,8 @@ struct ContactCheck {
   static_assert(
       requires {
         { Contact::history_size } -> std::convertible_to<int>;
-      }, "scree: Model::Contact is missing history_size (contact/concept.hpp)");
+      },
+      "scree: Model::Contact is missing history_size (contact/concept.hpp)");
   static_assert(
       requires { Contact::history_parity.size(); },
       "scree: Model::Contact is missing history_parity, an array (contact/concept.hpp)");
@@ -79,18 +80,22 @@ struct ContactCheck {
     }
     return true;
   }();
-  static_assert(parity, "scree: Model::Contact: history_parity must hold -1 or +1 for each of the history_size numbers "
-                        "(contact/concept.hpp)");
-  static_assert(ChecksMaterials<Contact>, "scree: Model::Contact is missing check(pair, names) (contact/concept.hpp)");
-  static_assert(StatesStiffness<Contact>,
-                "scree: Model::Contact is missing stiffness(pair, reduced_radius, reduced_mass, speed) returning "
-                "ContactStiffness (contact/concept.hpp)");
+  static_assert(
+      parity, "scree: Model::Contact: history_parity must hold -1 or +1 for each of the history_size numbers "
+              "(contact/concept.hpp)");
+  static_assert(ChecksMaterials<Contact>,
+                "scree: Model::Contact is missing check(pair, names) (contact/concept.hpp)");
+  static_assert(
+      StatesStiffness<Contact>,
+      "scree: Model::Contact is missing stiffness(pair, reduced_radius, reduced_mass, speed) returning "
+      "ContactStiffness (contact/concept.hpp)");
   static_assert(!HasHistory<Contact> || StatesEnergy<Contact>,
                 "scree: Model::Contact is missing elastic_energy(pair, reduced_radius, overlap, history) "
                 "(contact/concept.hpp)");
-  static_assert(!HasHistory<Contact> || EvaluatesForce<Contact, Real>,
-                "scree: Model::Contact is missing evaluate(pair, kinematics, history) for T = Model::Real, returning "
-                "ContactForce<T> (contact/concept.hpp)");
+  static_assert(
+      !HasHistory<Contact> || EvaluatesForce<Contact, Real>,
+      "scree: Model::Contact is missing evaluate(pair, kinematics, history) for T = Model::Real, returning "
+      "ContactForce<T> (contact/concept.hpp)");
   static constexpr bool done = true;
 };
 
@@ -100,8 +105,9 @@ struct WallDynamicsCheck {
                 "scree: a wall dynamics of Model::Walls cannot be copied (walls/concept.hpp)");
   static_assert(StartsWall<Dynamics>,
                 "scree: a wall dynamics of Model::Walls is missing start(motion, step) (walls/concept.hpp)");
-  static_assert(AdvancesWall<Dynamics>,
-                "scree: a wall dynamics of Model::Walls is missing advance(motion, load, step) (walls/concept.hpp)");
+  static_assert(
+      AdvancesWall<Dynamics>,
+      "scree: a wall dynamics of Model::Walls is missing advance(motion, load, step) (walls/concept.hpp)");
   // With one alone the stable time step would leave out what holds the wall.
   static constexpr bool says_how_held = requires(const Dynamics& d) { d.squared_frequency(); };
   static constexpr bool says_by_what = requires(const Dynamics& d) { d.holder(); };
@@ -121,8 +127,9 @@ inline constexpr bool lists_walls<Walls<Dynamics...>> = (WallDynamicsCheck<Dynam
 
 template <class Model>
 struct ModelCheck {
-  static_assert(FillsAllSlots<Model>, "scree: Model is missing one of Real, Contact, Neighbours, Integrator, Walls, "
-                                      "energy_audit: derive it from DefaultModel (simulation/model.hpp)");
+  static_assert(FillsAllSlots<Model>,
+                "scree: Model is missing one of Real, Contact, Neighbours, Integrator, Walls, "
+                "energy_audit: derive it from DefaultModel (simulation/model.hpp)");
   using Real = typename Model::Real;
   using Neighbours = typename Model::Neighbours;
   using Integrator = typename Model::Integrator;
@@ -132,12 +139,15 @@ struct ModelCheck {
   static_assert(ContactCheck<typename Model::Contact, Real>::done);
   static_assert(StatesSkin<Neighbours>,
                 "scree: Model::Neighbours is missing skin(smallest_radius) (neighbours/concept.hpp)");
-  static_assert(FindsCandidates<Neighbours>, "scree: Model::Neighbours is missing find(balls, owned, margin, workers, "
-                                             "rows) (neighbours/concept.hpp)");
-  static_assert(Translates<Integrator, Real>, "scree: Model::Integrator is missing translate(position, velocity, "
-                                              "acceleration, step) (integrators/concept.hpp)");
-  static_assert(Rotates<Integrator>, "scree: Model::Integrator is missing rotate(orientation, angular_velocity, "
-                                     "moment, inertia, step) (integrators/concept.hpp)");
+  static_assert(FindsCandidates<Neighbours>,
+                "scree: Model::Neighbours is missing find(balls, owned, margin, workers, "
+                "rows) (neighbours/concept.hpp)");
+  static_assert(Translates<Integrator, Real>,
+                "scree: Model::Integrator is missing translate(position, velocity, "
+                "acceleration, step) (integrators/concept.hpp)");
+  static_assert(Rotates<Integrator>,
+                "scree: Model::Integrator is missing rotate(orientation, angular_velocity, "
+                "moment, inertia, step) (integrators/concept.hpp)");
   static_assert(lists_walls<typename Model::Walls>,
                 "scree: Model::Walls must be scree::Walls<...>, a list of wall dynamics (walls/wall.hpp)");
   static constexpr bool holds = true;
@@ -148,17 +158,17 @@ struct ModelCheck {
 /// What a simulation is given at its start; every field has a default.
 template <class Model = DefaultModel>
 struct Setup {
-  typename Model::Contact contact{};             ///< the law with the parameters of its extensions
-  typename Model::Neighbours neighbours{};       ///< the search with its parameters
-  Stiffness stiffness = Stiffness::of_particle;  ///< what the stiffness of a material stands for
-  Vector gravity = Vector{0.0, 0.0, -9.81};      ///< m/s2
-  Vector period = Vector::Zero();                ///< m, from 0 in each direction; 0: not periodic
-  double time_step = 0.0;                        ///< s; 0: the stable one
-  double step_safety = 0.5;                      ///< share of the critical time step that counts as stable, in (0, 1]
-  double top_speed = 1.0;                        ///< m/s, of impacts, for the stiffness of Hertzian contacts, above 0
-  double local_damping = 0.0;                    ///< non-viscous, alpha in [0, 1): F_d = -alpha |F| sign(v)
-  unsigned threads = 1;                          ///< 0: one for each processor
-  std::size_t sort_interval = 5000;              ///< steps between sorting the bodies by place; 0: never
+  typename Model::Contact contact{};            ///< the law with the parameters of its extensions
+  typename Model::Neighbours neighbours{};      ///< the search with its parameters
+  Stiffness stiffness = Stiffness::of_particle; ///< what the stiffness of a material stands for
+  Vector gravity = Vector{0.0, 0.0, -9.81};     ///< m/s2
+  Vector period = Vector::Zero();               ///< m, from 0 in each direction; 0: not periodic
+  double time_step = 0.0;                       ///< s; 0: the stable one
+  double step_safety = 0.5;         ///< share of the critical time step that counts as stable, in (0, 1]
+  double top_speed = 1.0;           ///< m/s, of impacts, for the stiffness of Hertzian contacts, above 0
+  double local_damping = 0.0;       ///< non-viscous, alpha in [0, 1): F_d = -alpha |F| sign(v)
+  unsigned threads = 1;             ///< 0: one for each processor
+  std::size_t sort_interval = 5000; ///< steps between sorting the bodies by place; 0: never
 };
 
 } // namespace scree

@@ -21,8 +21,9 @@ void fetch_forces(const Block& block, std::span<const ForceRecord<Real>> slots, 
   }
 }
 
-/// Local non-viscous damping of one force or moment component, F_d = -alpha |F| sign(v) (Itasca's PFC manual): takes the
-/// component down where it drives the motion and up where it opposes it. Adds the work taken out to `work`.
+/// Local non-viscous damping of one force or moment component, F_d = -alpha |F| sign(v) (Itasca's PFC
+/// manual): takes the component down where it drives the motion and up where it opposes it. Adds the work
+/// taken out to `work`.
 template <class Real>
 Vec3<Real> damped(const Vec3<Real>& force, const Vec3<Real>& velocity, Real alpha, Real kick, Real& work) {
   const auto along = [&](Real f, Real v) {
@@ -33,8 +34,8 @@ Vec3<Real> damped(const Vec3<Real>& force, const Vec3<Real>& velocity, Real alph
   return {along(force.x, velocity.x), along(force.y, velocity.y), along(force.z, velocity.z)};
 }
 
-/// Moves the bodies of a block by one step. Returns the largest speed of a member sphere [m/s]; not a number where
-/// one of them is not.
+/// Moves the bodies of a block by one step. Returns the largest speed of a member sphere [m/s]; not a number
+/// where one of them is not.
 template <class Integrator, bool audit, class Real>
 double move_bodies(const Block& block, const TimeStep& step, double local_damping, Bodies<Real>& bodies,
                    Dissipation& lost) {

@@ -20,7 +20,8 @@ struct Touch {
   Real arm_i, arm_j; ///< m, from the centres to the contact point, in the middle of the overlap
 };
 
-/// The kinematics of two spheres whose centres are `apart` (i minus j) at a distance below the sum of the radii.
+/// The kinematics of two spheres whose centres are `apart` (i minus j) at a distance below the sum of the
+/// radii.
 template <class Real>
 Touch<Real> touch_of(const SphereRecord<Real>& i, const SphereRecord<Real>& j, const Vec3<double>& apart,
                      double squared_distance, Real dt) {
@@ -46,12 +47,13 @@ Touch<Real> touch_of(const SphereRecord<Real>& i, const SphereRecord<Real>& j, c
   return out;
 }
 
-/// Adds the forces of all pairs whose first sphere is in `block` to the spheres of the block; those on spheres of later
-/// blocks go to `slots`. `pair_material(a, b)` gives the constants of two materials.
+/// Adds the forces of all pairs whose first sphere is in `block` to the spheres of the block; those on
+/// spheres of later blocks go to `slots`. `pair_material(a, b)` gives the constants of two materials.
 template <bool periodic, bool audit, ContactLaw Law, class Real, class PairMaterials>
-void add_pair_forces(const Block& block, const Law& law, const PairMaterials& pair_material, const Domain& domain,
-                     Real dt, Bodies<Real>& bodies, PairList<Real, Law::history_size>& pairs,
-                     std::span<ForceRecord<Real>> slots, Dissipation& lost) {
+void add_pair_forces(const Block& block, const Law& law, const PairMaterials& pair_material,
+                     const Domain& domain, Real dt, Bodies<Real>& bodies,
+                     PairList<Real, Law::history_size>& pairs, std::span<ForceRecord<Real>> slots,
+                     Dissipation& lost) {
   const std::span<const SphereRecord<Real>> spheres = std::as_const(bodies).spheres();
   const std::span<ForceRecord<Real>> forces = bodies.forces();
   std::size_t slot = block.first_slot;
@@ -80,7 +82,8 @@ void add_pair_forces(const Block& block, const Law& law, const PairMaterials& pa
       }
       const Touch<Real> touch = touch_of(own, other, apart, d2, dt);
       const Kinematics<Real>& k = touch.kinematics;
-      const ContactForce<Real> f = law.evaluate(pair_material(own.material, other.material), k, pairs.history(pair));
+      const ContactForce<Real> f =
+          law.evaluate(pair_material(own.material, other.material), k, pairs.history(pair));
       const Vec3<Real> force = k.normal * f.normal + f.tangential;
       const Vec3<Real> turn = cross(k.normal, f.tangential);
       sum.force += force;

@@ -38,8 +38,8 @@ private:
   double next_ = std::nan("");
 };
 
-/// Steps while `go(simulation)` is true; after each step calls the observers, any callables that take the simulation,
-/// in their order.
+/// Steps while `go(simulation)` is true; after each step calls the observers, any callables that take the
+/// simulation, in their order.
 template <class Simulation, class Go, class... Observers>
 void run_while(Simulation& simulation, Go go, Observers&&... observers) {
   while (go(std::as_const(simulation))) {

@@ -41,9 +41,9 @@ struct StepTimes {
 ///
 ///     scree::Simulation<> simulation{{.gravity = {0, 0, -9.81}}};
 ///     const auto rock = simulation.add_material({.normal_stiffness = 1e6, .shear_stiffness = 1e6});
-///     simulation.add_wall({.name = "floor", .surfaces = {{scree::Plane{}, rock}}, .dynamics = scree::Fixed{}});
-///     simulation.add({.clump = &ball, .density = 2650, .material = rock, .position = {0, 0, 1}});
-///     scree::run_for(simulation, 1.0);
+///     simulation.add_wall({.name = "floor", .surfaces = {{scree::Plane{}, rock}}, .dynamics =
+///     scree::Fixed{}}); simulation.add({.clump = &ball, .density = 2650, .material = rock, .position = {0,
+///     0, 1}}); scree::run_for(simulation, 1.0);
 ///
 /// Same input, same bits, for any number of threads and any neighbour search.
 template <class Model = DefaultModel>
@@ -59,7 +59,10 @@ public:
 
   /// \throws Error for a field of the setup out of its range.
   explicit Simulation(Setup<Model> setup = {})
-      : setup_{std::move(setup)}, materials_{setup_.stiffness}, domain_{setup_.period}, workers_{setup_.threads} {
+      : setup_{std::move(setup)},
+        materials_{setup_.stiffness},
+        domain_{setup_.period},
+        workers_{setup_.threads} {
     require("local_damping", setup_.local_damping, {0.0, 0.999});
     require("step_safety", setup_.step_safety, {1e-6, 1.0});
     require("time_step", setup_.time_step, {0.0, std::numeric_limits<double>::max(), "s"});
@@ -69,7 +72,8 @@ public:
     }
   }
 
-  // ---- building ------------------------------------------------------------------------------------------------
+  // ---- building
+  // ------------------------------------------------------------------------------------------------
 
   MaterialId add_material(Material material) {
     const MaterialId id = materials_.add(std::move(material));
@@ -96,14 +100,14 @@ public:
   std::uint64_t add(const BodySetup& b) {
     lists_valid_ = false;
     limit_known_ = false;
-    return bodies_.add({b.clump, b.scale, materials_.at(b.material).density, b.material, b.position, b.orientation,
-                        b.velocity, b.angular_velocity, b.fixed});
+    return bodies_.add({b.clump, b.scale, materials_.at(b.material).density, b.material, b.position,
+                        b.orientation, b.velocity, b.angular_velocity, b.fixed});
   }
   /// Adds all bodies of a packing.
   void add(const Packing& packing) {
     for (const PackedBody& b : packing.bodies) {
-      add(BodySetup{&packing.shapes.at(b.shape), b.material, b.position, b.orientation, b.velocity, b.angular_velocity,
-                    b.scale, b.fixed});
+      add(BodySetup{&packing.shapes.at(b.shape), b.material, b.position, b.orientation, b.velocity,
+                    b.angular_velocity, b.scale, b.fixed});
     }
   }
 
@@ -128,7 +132,8 @@ public:
     return walls_.size() - 1;
   }
 
-  // ---- changing ------------------------------------------------------------------------------------------------
+  // ---- changing
+  // ------------------------------------------------------------------------------------------------
 
   /// Removes the bodies for which `gone(bodies, b)` is true and returns how many there were.
   template <class Predicate>
@@ -162,18 +167,22 @@ public:
   void set_motion(std::size_t b, const Vector& v, const Vector& w) { bodies_.set_motion(b, v, w); }
   void set_gravity(const Vector& gravity) { setup_.gravity = gravity; }
   /// \throws Error outside [0, 0.999].
-  void set_local_damping(double alpha) { setup_.local_damping = require("local_damping", alpha, {0.0, 0.999}); }
-  /// Changes what a material is made of, for bodies and walls alike; the density of bodies already there stays.
+  void set_local_damping(double alpha) {
+    setup_.local_damping = require("local_damping", alpha, {0.0, 0.999});
+  }
+  /// Changes what a material is made of, for bodies and walls alike; the density of bodies already there
+  /// stays.
   void change_material(MaterialId id, const Material& material) {
     materials_.replace(id, material);
     materials_changed();
   }
 
-  // ---- the time step -------------------------------------------------------------------------------------------
+  // ---- the time step
+  // -------------------------------------------------------------------------------------------
 
   /// Advances everything by one time step.
-  /// \throws Error for a time step above the stable one, a law that lacks a material's constant, or a body whose
-  /// position or velocity is not a number.
+  /// \throws Error for a time step above the stable one, a law that lacks a material's constant, or a body
+  /// whose position or velocity is not a number.
   void step() {
     if (!started_) {
       start();
@@ -224,7 +233,8 @@ public:
     return limit;
   }
 
-  // ---- observing -----------------------------------------------------------------------------------------------
+  // ---- observing
+  // -----------------------------------------------------------------------------------------------
 
   [[nodiscard]] double time() const { return time_; }
   [[nodiscard]] std::size_t steps() const { return steps_; }
@@ -249,8 +259,8 @@ public:
   /// Pairs on the list, touching or not.
   [[nodiscard]] std::size_t listed_pairs() const { return pairs_.size(); }
 
-  /// Calls `visit(const ContactView&)` for every contact, in a fixed order, as the law gives it for the present
-  /// positions. Changes nothing.
+  /// Calls `visit(const ContactView&)` for every contact, in a fixed order, as the law gives it for the
+  /// present positions. Changes nothing.
   template <class Visit>
   void visit_contacts(Visit visit) const {
     for (std::size_t i = 0; i < pairs_.row_count(); ++i) {
@@ -262,9 +272,10 @@ public:
       for (const auto& c : block.contacts) {
         const auto& sphere = bodies_.spheres()[c.sphere];
         const MaterialId of = walls_[c.wall].surfaces[c.surface].material();
-        const double energy = energy_of(materials_.pair(static_cast<MaterialId>(sphere.material), of), sphere.radius,
-                                        c.overlap, c.history);
-        visit(ContactView{bodies_.body_of(c.sphere), c.wall, true, c.point, c.normal, c.overlap, c.force, energy});
+        const double energy = energy_of(materials_.pair(static_cast<MaterialId>(sphere.material), of),
+                                        sphere.radius, c.overlap, c.history);
+        visit(ContactView{bodies_.body_of(c.sphere), c.wall, true, c.point, c.normal, c.overlap, c.force,
+                          energy});
       }
     }
   }
@@ -272,7 +283,8 @@ public:
 private:
   using Clock = std::chrono::steady_clock;
 
-  // ---- start and stable step -----------------------------------------------------------------------------------
+  // ---- start and stable step
+  // -----------------------------------------------------------------------------------
 
   void start() {
     check_step();
@@ -346,22 +358,22 @@ private:
           const double radius = p.radius * q.radius / (p.radius + q.radius);
           const double mass = p.mass * q.mass / (p.mass + q.mass);
           limit_by_contact(limit, a, b, radius, mass, p.mobility + q.mobility, [&] {
-            return message("a contact of body ", p.body, " ('", name(a), "', ", p.mass, " kg) with body ", q.body, " ('",
-                           name(b), "', ", q.mass, " kg)");
+            return message("a contact of body ", p.body, " ('", name(a), "', ", p.mass, " kg) with body ",
+                           q.body, " ('", name(b), "', ", q.mass, " kg)");
           });
         }
         if (on_wall[b]) {
           limit_by_contact(limit, a, b, p.radius, p.mass, p.mobility, [&] {
-            return message("a contact of body ", p.body, " ('", name(a), "', ", p.mass, " kg) with a wall of '", name(b),
-                           "'");
+            return message("a contact of body ", p.body, " ('", name(a), "', ", p.mass,
+                           " kg) with a wall of '", name(b), "'");
           });
         }
       }
     }
   }
 
-  void limit_by_contact(StepLimit& limit, std::size_t a, std::size_t b, double radius, double mass, double mobility,
-                        const auto& who) const {
+  void limit_by_contact(StepLimit& limit, std::size_t a, std::size_t b, double radius, double mass,
+                        double mobility, const auto& who) const {
     const auto pair = materials_.pair(static_cast<MaterialId>(a), static_cast<MaterialId>(b));
     const std::string names = message("'", materials_.at(static_cast<MaterialId>(a)).name, "' and '",
                                       materials_.at(static_cast<MaterialId>(b)).name, "'");
@@ -369,8 +381,9 @@ private:
     const ContactStiffness k = setup_.contact.stiffness(pair, radius, mass, setup_.top_speed);
     const double stiffest = std::max(k.normal, k.shear);
     const double rate_ratio =
-        stiffest > 0.0 ? 0.5 * std::max(pair.normal_damping_rate, pair.shear_damping_rate) * std::sqrt(mass / stiffest)
-                       : 0.0;
+        stiffest > 0.0
+            ? 0.5 * std::max(pair.normal_damping_rate, pair.shear_damping_rate) * std::sqrt(mass / stiffest)
+            : 0.0;
     limit.lower_to(critical_step(crowding * stiffest * mobility, pair.damping_ratio + rate_ratio),
                    [&] { return message(who(), " of ", stiffest, " N/m"); });
   }
@@ -418,7 +431,8 @@ private:
     return most;
   }
 
-  // ---- neighbour lists -----------------------------------------------------------------------------------------
+  // ---- neighbour lists
+  // -----------------------------------------------------------------------------------------
 
   [[nodiscard]] bool sort_due() const {
     return setup_.sort_interval > 0 && steps_ % setup_.sort_interval == 0 && steps_ != sorted_at_;
@@ -547,8 +561,8 @@ private:
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
       // Beyond this a cell number would overflow; nothing that scree is for is that large.
       if (const Vector x = bodies_.position(b); !(x.cwiseAbs().maxCoeff() < 1e9)) {
-        throw Error(message("body ", bodies_.id(b), " has left the domain at t = ", time_, " s: position (", x.x(), ", ",
-                            x.y(), ", ", x.z(), ") m"));
+        throw Error(message("body ", bodies_.id(b), " has left the domain at t = ", time_, " s: position (",
+                            x.x(), ", ", x.y(), ", ", x.z(), ") m"));
       }
     }
   }
@@ -569,7 +583,8 @@ private:
     });
   }
 
-  // ---- forces and motion ---------------------------------------------------------------------------------------
+  // ---- forces and motion
+  // ---------------------------------------------------------------------------------------
 
   struct BlockResult {
     std::vector<WallSum> walls;
@@ -578,8 +593,8 @@ private:
   };
 
   [[nodiscard]] auto pair_material() const {
-    return [table = pair_materials_.data(), n = materials_.size()](std::uint32_t a, std::uint32_t b)
-               -> const PairMaterial<Real>& { return table[a * n + b]; };
+    return [table = pair_materials_.data(), n = materials_.size()](
+               std::uint32_t a, std::uint32_t b) -> const PairMaterial<Real>& { return table[a * n + b]; };
   }
 
   void compute_forces(std::size_t b) {
@@ -592,14 +607,15 @@ private:
     const auto dt = static_cast<Real>(dt_);
     const std::span<ForceRecord<Real>> slots{slots_};
     if (domain_.periodic()) {
-      add_pair_forces<true, Model::energy_audit>(block, setup_.contact, pair_material(), domain_, dt, bodies_, pairs_,
-                                                 slots, result.lost);
+      add_pair_forces<true, Model::energy_audit>(block, setup_.contact, pair_material(), domain_, dt, bodies_,
+                                                 pairs_, slots, result.lost);
     } else {
-      add_pair_forces<false, Model::energy_audit>(block, setup_.contact, pair_material(), domain_, dt, bodies_, pairs_,
-                                                  slots, result.lost);
+      add_pair_forces<false, Model::energy_audit>(block, setup_.contact, pair_material(), domain_, dt,
+                                                  bodies_, pairs_, slots, result.lost);
     }
-    add_wall_forces<Model::energy_audit>(setup_.contact, pair_material(), std::span<const WallBody>{walls_}, dt, bodies_,
-                                         wall_blocks_[b], std::span<WallSum>{result.walls}, result.lost);
+    add_wall_forces<Model::energy_audit>(setup_.contact, pair_material(), std::span<const WallBody>{walls_},
+                                         dt, bodies_, wall_blocks_[b], std::span<WallSum>{result.walls},
+                                         result.lost);
   }
 
   void move(std::size_t b, const TimeStep& now) {
@@ -631,8 +647,9 @@ private:
     for (WallBody& wall : walls_) {
       wall.load.impulse += wall.load.force * now.kick;
       wall.load.angular_impulse += wall.load.moment * now.kick;
-      wall.load.work -= (wall.load.force.dot(wall.motion.velocity) +
-                         wall.load.moment.dot(wall.motion.angular_velocity)) * dt_;
+      wall.load.work -=
+          (wall.load.force.dot(wall.motion.velocity) + wall.load.moment.dot(wall.motion.angular_velocity)) *
+          dt_;
     }
     // A hair more, for the arc that a turning member sphere takes.
     travel_ += fastest * dt_ * 1.01;
@@ -648,7 +665,8 @@ private:
     throw Error(message("a velocity is not a number at t = ", time_, " s"));
   }
 
-  // ---- observing -----------------------------------------------------------------------------------------------
+  // ---- observing
+  // -----------------------------------------------------------------------------------------------
 
   template <class History>
   [[nodiscard]] double energy_of(const PairMaterial<double>& pair, double reduced_radius, double overlap,
@@ -672,8 +690,9 @@ private:
     const auto& constants = pair_material()(own.material, other.material);
     const ContactForce<Real> f = setup_.contact.evaluate(constants, touch.kinematics, history);
     const Vector normal = to_eigen(touch.kinematics.normal);
-    const double energy = energy_of(constants.template as<double>(), static_cast<double>(touch.kinematics.reduced_radius),
-                                    static_cast<double>(touch.kinematics.overlap), history);
+    const double energy =
+        energy_of(constants.template as<double>(), static_cast<double>(touch.kinematics.reduced_radius),
+                  static_cast<double>(touch.kinematics.overlap), history);
     visit(ContactView{bodies_.body_of(i), bodies_.body_of(partner.sphere), false,
                       to_eigen(own.position) - static_cast<double>(touch.arm_i) * normal, normal,
                       static_cast<double>(touch.kinematics.overlap),

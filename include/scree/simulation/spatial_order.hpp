@@ -26,8 +26,8 @@ inline std::uint64_t spread(std::uint64_t v) {
 
 } // namespace detail
 
-/// The numbers of all bodies along a Morton curve over cells of the largest body, so that neighbours in space are
-/// neighbours in memory; bodies of one cell in the order of their ids.
+/// The numbers of all bodies along a Morton curve over cells of the largest body, so that neighbours in space
+/// are neighbours in memory; bodies of one cell in the order of their ids.
 template <class Real>
 std::vector<std::uint32_t> spatial_order(const Bodies<Real>& bodies) {
   std::vector<std::uint32_t> order(bodies.size());

@@ -28,12 +28,13 @@ struct StepLimit {
 
 /// Leapfrog is stable below 2 / w; a dashpot of damping ratio z lowers that by sqrt(1 + z^2) - z.
 inline double critical_step(double squared_frequency, double damping_ratio) {
-  return 2.0 / std::sqrt(squared_frequency) * (std::sqrt(1.0 + damping_ratio * damping_ratio) - damping_ratio);
+  return 2.0 / std::sqrt(squared_frequency) *
+         (std::sqrt(1.0 + damping_ratio * damping_ratio) - damping_ratio);
 }
 
-/// How many contacts of full stiffness a body in a dense bed has along its softest motion: a sphere held by z equal
-/// contacts of k_n = k_s feels z (k_n + 2 k_s) / 3 in translation and 5/3 z k_s in rotation, and its partners may
-/// swing against it. Ours; a test finds the true limit of dense packings above it.
+/// How many contacts of full stiffness a body in a dense bed has along its softest motion: a sphere held by z
+/// equal contacts of k_n = k_s feels z (k_n + 2 k_s) / 3 in translation and 5/3 z k_s in rotation, and its
+/// partners may swing against it. Ours; a test finds the true limit of dense packings above it.
 inline constexpr double crowding = 3.0;
 
 /// What the softest body of one material looks like to a contact.

@@ -23,17 +23,17 @@ struct WallCandidate {
   std::uint32_t first_facet, facet_count; ///< in the facet list, for a mesh
 };
 
-/// A sphere that touches a surface. The contact is known again in the next step by where it is on the wall, so its
-/// spring is kept when the sphere goes from one facet to the next.
+/// A sphere that touches a surface. The contact is known again in the next step by where it is on the wall,
+/// so its spring is kept when the sphere goes from one facet to the next.
 template <class Real, int history_size>
 struct WallContact {
   std::uint32_t sphere;
   std::uint16_t wall, surface;
-  Vector at;     ///< m, in the wall's frame
-  Vector point;  ///< m, in space
-  Vector normal; ///< unit vector from the wall to the sphere
+  Vector at;      ///< m, in the wall's frame
+  Vector point;   ///< m, in space
+  Vector normal;  ///< unit vector from the wall to the sphere
   double overlap; ///< m
-  Vector force;  ///< N, on the sphere
+  Vector force;   ///< N, on the sphere
   std::array<Real, static_cast<std::size_t>(history_size)> history;
 
   [[nodiscard]] auto key() const { return std::tuple{sphere, wall, surface}; }
@@ -49,8 +49,8 @@ struct WallBlock {
 
 /// Lists the spheres of `block` that are within `margin` [m] of a surface. Fixed bodies feel no walls.
 template <class Real, int history_size, class AnyWall>
-void find_wall_candidates(const Block& block, const Bodies<Real>& bodies, std::span<const AnyWall> walls, double margin,
-                          WallBlock<Real, history_size>& out) {
+void find_wall_candidates(const Block& block, const Bodies<Real>& bodies, std::span<const AnyWall> walls,
+                          double margin, WallBlock<Real, history_size>& out) {
   out.candidates.clear();
   out.facets.clear();
   for (std::size_t s = block.first_sphere; s < block.end_sphere; ++s) {
@@ -72,11 +72,12 @@ void find_wall_candidates(const Block& block, const Bodies<Real>& bodies, std::s
   }
 }
 
-/// Adds the forces of the walls to the spheres of a block, and what the walls feel to `sums` (one for each wall).
+/// Adds the forces of the walls to the spheres of a block, and what the walls feel to `sums` (one for each
+/// wall).
 template <bool audit, ContactLaw Law, class Real, class AnyWall, class PairMaterials>
-void add_wall_forces(const Law& law, const PairMaterials& pair_material, std::span<const AnyWall> walls, Real dt,
-                     Bodies<Real>& bodies, WallBlock<Real, Law::history_size>& block, std::span<WallSum> sums,
-                     Dissipation& lost) {
+void add_wall_forces(const Law& law, const PairMaterials& pair_material, std::span<const AnyWall> walls,
+                     Real dt, Bodies<Real>& bodies, WallBlock<Real, Law::history_size>& block,
+                     std::span<WallSum> sums, Dissipation& lost) {
   using Contact = WallContact<Real, Law::history_size>;
   std::swap(block.contacts, block.before);
   block.contacts.clear();
@@ -90,8 +91,8 @@ void add_wall_forces(const Law& law, const PairMaterials& pair_material, std::sp
     const SphereRecord<Real>& sphere = spheres[candidate.sphere];
     const Vector centre = to_eigen(sphere.position);
     found.clear();
-    surface.touch({block.facets.data() + candidate.first_facet, candidate.facet_count}, wall.motion.to_wall(centre),
-                  sphere.radius, found);
+    surface.touch({block.facets.data() + candidate.first_facet, candidate.facet_count},
+                  wall.motion.to_wall(centre), sphere.radius, found);
     if (found.empty()) {
       continue;
     }
@@ -106,7 +107,15 @@ void add_wall_forces(const Law& law, const PairMaterials& pair_material, std::sp
     for (const SurfaceContact& contact : found) {
       const Vector normal = wall.motion.orientation * contact.normal;
       Vector tilt = Vector::Zero();
-      Contact now{candidate.sphere, candidate.wall, candidate.surface, contact.point, {}, {}, contact.overlap, {}, {}};
+      Contact now{candidate.sphere,
+                  candidate.wall,
+                  candidate.surface,
+                  contact.point,
+                  {},
+                  {},
+                  contact.overlap,
+                  {},
+                  {}};
       // A contact moves by far less than this in one step, and two contacts of a sphere lie further apart.
       const double reach = 0.2 * sphere.radius;
       auto match = old_end;
@@ -137,7 +146,8 @@ void add_wall_forces(const Law& law, const PairMaterials& pair_material, std::sp
       k.reduced_mass = Real{1} / sphere.inverse_mass;
       k.turn = to_vec3<Real>(tilt) + k.normal * (Real(0.5) * dot(k.spin_i + k.spin_j, k.normal) * dt);
       k.dt = dt;
-      const ContactForce<Real> f = law.evaluate(pair_material(sphere.material, surface.material()), k, now.history);
+      const ContactForce<Real> f =
+          law.evaluate(pair_material(sphere.material, surface.material()), k, now.history);
       const Vec3<Real> force = k.normal * f.normal + f.tangential;
       forces[candidate.sphere].force += force;
       forces[candidate.sphere].torque += f.couple - cross(k.normal, f.tangential) * static_cast<Real>(arm);

@@ -11,9 +11,9 @@
 
 namespace scree {
 
-/// Consecutive bodies that one task computes. Forces within a block are added directly; those on spheres of other
-/// blocks are laid down in numbered slots and fetched by their owner in a fixed order. The division depends on the
-/// bodies only, never on the threads.
+/// Consecutive bodies that one task computes. Forces within a block are added directly; those on spheres of
+/// other blocks are laid down in numbered slots and fetched by their owner in a fixed order. The division
+/// depends on the bodies only, never on the threads.
 struct Block {
   std::size_t first_body = 0, end_body = 0;
   std::size_t first_sphere = 0, end_sphere = 0;
@@ -26,7 +26,8 @@ struct Block {
   std::vector<Incoming> incoming; ///< from earlier blocks, in the order of their pairs
 };
 
-/// Divides bodies into blocks of at least `least_spheres`, at most about 64 of them, and says which pairs cross.
+/// Divides bodies into blocks of at least `least_spheres`, at most about 64 of them, and says which pairs
+/// cross.
 template <class Real, int history_size>
 std::vector<Block> divided(const Bodies<Real>& bodies, const PairList<Real, history_size>& pairs,
                            std::size_t& slots) {
@@ -47,7 +48,8 @@ std::vector<Block> divided(const Bodies<Real>& bodies, const PairList<Real, hist
   slots = 0;
   for (Block& source : blocks) {
     source.first_slot = slots;
-    for (std::size_t pair = pairs.begin_of(source.first_sphere); pair < pairs.begin_of(source.end_sphere); ++pair) {
+    for (std::size_t pair = pairs.begin_of(source.first_sphere); pair < pairs.begin_of(source.end_sphere);
+         ++pair) {
       const std::uint32_t j = pairs.partner(pair).sphere;
       if (j >= source.end_sphere) {
         const auto owner = std::upper_bound(blocks.begin(), blocks.end(), j,

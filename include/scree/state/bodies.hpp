@@ -18,7 +18,8 @@ namespace scree {
 
 /// How a body is moved.
 enum class BodyKind : std::uint8_t {
-  lone,  ///< one sphere about the centre of mass: its sphere record holds the motion, its orientation is not followed
+  lone,  ///< one sphere about the centre of mass: its sphere record holds the motion, its orientation is not
+         ///< followed
   clump, ///< any other rigid body: its body record holds the motion
   fixed  ///< never moves
 };
@@ -36,8 +37,8 @@ struct NewBody {
   bool fixed = false;
 };
 
-/// Bodies in the order in which they are computed (`0 .. size() - 1`), each with an id that it keeps when that
-/// order changes. The spheres of a body are neighbours in the sphere arrays.
+/// Bodies in the order in which they are computed (`0 .. size() - 1`), each with an id that it keeps when
+/// that order changes. The spheres of a body are neighbours in the sphere arrays.
 template <class Real>
 class Bodies {
 public:
@@ -53,7 +54,8 @@ public:
     require_positive("body density", given.density, "kg/m3");
     if (!given.position.allFinite() || !given.velocity.allFinite() || !given.angular_velocity.allFinite() ||
         !given.orientation.coeffs().allFinite()) {
-      throw Error(message("body ", next_id_, " ('", clump.name, "'): position, orientation or velocity is not a number"));
+      throw Error(message("body ", next_id_, " ('", clump.name,
+                          "'): position, orientation or velocity is not a number"));
     }
     const Quaternion q = given.orientation.normalized();
     const double s3 = given.scale * given.scale * given.scale;
@@ -92,14 +94,14 @@ public:
     place_members(records_.size() - 1);
     if (lone || given.fixed) {
       for (std::size_t s = first_sphere(size() - 1); s < first_sphere(size()); ++s) {
-        spheres_[s].angular_velocity =
-            given.fixed ? Vec3<Real>{} : to_vec3<Real>(given.angular_velocity);
+        spheres_[s].angular_velocity = given.fixed ? Vec3<Real>{} : to_vec3<Real>(given.angular_velocity);
       }
     }
     return next_id_++;
   }
 
-  // ---- what observers read ------------------------------------------------------------------------------------
+  // ---- what observers read
+  // ------------------------------------------------------------------------------------
 
   [[nodiscard]] Vector position(std::size_t b) const {
     return to_eigen(is_lone(b) ? spheres_[first_[b]].position : records_[b].position);
@@ -139,7 +141,8 @@ public:
   /// What acted on each sphere in the last step: contacts only, without gravity.
   [[nodiscard]] std::span<const ForceRecord<Real>> forces() const { return forces_; }
 
-  // ---- what the simulation writes -----------------------------------------------------------------------------
+  // ---- what the simulation writes
+  // -----------------------------------------------------------------------------
 
   [[nodiscard]] std::span<SphereRecord<Real>> spheres() { return spheres_; }
   [[nodiscard]] std::span<ForceRecord<Real>> forces() { return forces_; }

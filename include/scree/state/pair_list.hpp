@@ -21,8 +21,8 @@ struct Partner {
   std::uint32_t image : 5; ///< ix + 3 iy + 9 iz, each shift -1, 0, 1 stored as 0, 1, 2
 };
 
-/// Rows of partners j > i, ascending in j, each pair with the history numbers of its contact law: all 0 for a pair that
-/// does not touch, as for a contact that begins.
+/// Rows of partners j > i, ascending in j, each pair with the history numbers of its contact law: all 0 for a
+/// pair that does not touch, as for a contact that begins.
 template <class Real, int history_size>
 class PairList {
 public:
@@ -56,8 +56,9 @@ public:
     });
   }
 
-  /// Follows spheres to new numbers (`Bodies::gone` for those removed). `parity` says which history numbers change
-  /// sign when the spheres of a pair change places. Pairs without history are dropped: renew the list before use.
+  /// Follows spheres to new numbers (`Bodies::gone` for those removed). `parity` says which history numbers
+  /// change sign when the spheres of a pair change places. Pairs without history are dropped: renew the list
+  /// before use.
   void rearrange(std::span<const std::uint32_t> moved_to, std::size_t spheres,
                  const std::array<int, static_cast<std::size_t>(history_size)>& parity, Workers& workers) {
     struct Moved {

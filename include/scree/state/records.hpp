@@ -11,8 +11,8 @@
 
 namespace scree {
 
-/// A member sphere of a rigid body, in space. Positions are always double: overlaps are some 1e-7 of the bed's size
-/// and would vanish in float.
+/// A member sphere of a rigid body, in space. Positions are always double: overlaps are some 1e-7 of the
+/// bed's size and would vanish in float.
 template <class Real>
 struct alignas(32) SphereRecord {
   Vec3<double> position;       ///< m
@@ -34,12 +34,12 @@ struct ForceRecord {
 /// The motion of a rigid body about its centre of mass and principal axes.
 template <class Real>
 struct BodyRecord {
-  Vec3<double> position;                            ///< m, centre of mass
-  Quaternion orientation = Quaternion::Identity();  ///< principal axes to space
-  Vec3<Real> velocity;                              ///< m/s, half a step behind the position
-  Vec3<Real> angular_velocity;                      ///< rad/s, in the principal frame
-  Real mass = 0;                                    ///< kg
-  Vec3<Real> inertia;                               ///< kg m2, principal moments
+  Vec3<double> position;                           ///< m, centre of mass
+  Quaternion orientation = Quaternion::Identity(); ///< principal axes to space
+  Vec3<Real> velocity;                             ///< m/s, half a step behind the position
+  Vec3<Real> angular_velocity;                     ///< rad/s, in the principal frame
+  Real mass = 0;                                   ///< kg
+  Vec3<Real> inertia;                              ///< kg m2, principal moments
 };
 
 } // namespace scree

@@ -8,8 +8,8 @@
 
 namespace scree {
 
-/// Turns `q` by the body-frame angular velocity `w` [rad/s] held over `dt` [s]: Coetzee et al. (2010) Eqs. (11)-(15),
-/// exact for constant w. With the mid-step w of a leapfrog it is of second order.
+/// Turns `q` by the body-frame angular velocity `w` [rad/s] held over `dt` [s]: Coetzee et al. (2010) Eqs.
+/// (11)-(15), exact for constant w. With the mid-step w of a leapfrog it is of second order.
 inline Quaternion turned(const Quaternion& q, const Vector& w, double dt) {
   const double half2 = 0.25 * dt * dt * w.squaredNorm();
   double cosine = 0.0, sinc = 0.0;
@@ -30,16 +30,16 @@ inline Quaternion turned(const Quaternion& q, const Vector& w, double dt) {
   return next;
 }
 
-/// Moment of a rotating body's own inertia in the principal frame, Euler's equations (the paper's Eq. (6), which is
-/// misprinted): I dw/dt = M + ((I2 - I3) w2 w3, (I3 - I1) w3 w1, (I1 - I2) w1 w2).
+/// Moment of a rotating body's own inertia in the principal frame, Euler's equations (the paper's Eq. (6),
+/// which is misprinted): I dw/dt = M + ((I2 - I3) w2 w3, (I3 - I1) w3 w1, (I1 - I2) w1 w2).
 inline Vector gyroscopic_moment(const Vector& inertia, const Vector& w) {
   return {(inertia.y() - inertia.z()) * w.y() * w.z(), (inertia.z() - inertia.x()) * w.z() * w.x(),
           (inertia.x() - inertia.y()) * w.x() * w.y()};
 }
 
-/// Kicks a mid-step angular velocity over `dt` by the moment at the step (both in the principal frame), with the
-/// gyroscopic term at the mean of the old and the new value. This implicit midpoint keeps the energy and the
-/// magnitude of the angular momentum of a free body; each iteration gains a factor |w| dt.
+/// Kicks a mid-step angular velocity over `dt` by the moment at the step (both in the principal frame), with
+/// the gyroscopic term at the mean of the old and the new value. This implicit midpoint keeps the energy and
+/// the magnitude of the angular momentum of a free body; each iteration gains a factor |w| dt.
 inline Vector kicked(const Vector& w, const Vector& moment, const Vector& inertia, double dt) {
   const Vector factor = dt * inertia.cwiseInverse();
   const Vector pushed = w + factor.cwiseProduct(moment);

@@ -7,10 +7,11 @@
 ///     // Moves the wall from `step.time` to `step.time + step.dt`, given what the grains did to it.
 ///     void advance(WallMotion& motion, const WallLoad& load, const TimeStep& step);
 ///
-/// Velocities in `motion` stand half a step behind the pose, as those of the grains do. Dynamics that give way to
-/// forces also say how easily, for the stable time step:
+/// Velocities in `motion` stand half a step behind the pose, as those of the grains do. Dynamics that give
+/// way to forces also say how easily, for the stable time step:
 ///
-///     // 1/kg, acceleration of the point that gives way most, at most `arm` [m] from the wall's origin, under a force
+///     // 1/kg, acceleration of the point that gives way most, at most `arm` [m] from the wall's origin,
+///     under a force
 ///     // of 1 N.
 ///     double mobility(double arm) const;
 ///     // rad2/s2, of what holds the wall besides the grains (ropes), and its name for messages.
@@ -27,7 +28,9 @@
 namespace scree {
 
 template <class D>
-concept StartsWall = requires(D& dynamics, WallMotion& motion, const TimeStep& step) { dynamics.start(motion, step); };
+concept StartsWall = requires(D& dynamics, WallMotion& motion, const TimeStep& step) {
+  dynamics.start(motion, step);
+};
 
 template <class D>
 concept AdvancesWall = requires(D& dynamics, WallMotion& motion, const WallLoad& load, const TimeStep& step) {

@@ -37,7 +37,8 @@ public:
     const double speed = motion.velocity.dot(setup_.axis);
     const double push = setup_.force(step.time) + load.force.dot(setup_.axis);
     // The dashpot is taken at the new speed, so that any damping is stable.
-    const double next = (speed + step.kick * push / setup_.mass) / (1.0 + step.kick * setup_.damping / setup_.mass);
+    const double next =
+        (speed + step.kick * push / setup_.mass) / (1.0 + step.kick * setup_.damping / setup_.mass);
     motion.velocity = next * setup_.axis;
     motion.position += motion.velocity * step.dt;
   }

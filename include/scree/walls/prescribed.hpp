@@ -16,8 +16,8 @@ struct Pose {
   Quaternion orientation = Quaternion::Identity(); ///< wall frame to space
 };
 
-/// Follows any function of time. The velocity between two steps is that which takes one pose to the next, so that no
-/// derivative has to be given and pose and velocity never disagree.
+/// Follows any function of time. The velocity between two steps is that which takes one pose to the next, so
+/// that no derivative has to be given and pose and velocity never disagree.
 class Prescribed {
 public:
   using Path = std::function<Pose(double time)>;

@@ -12,22 +12,23 @@
 
 namespace scree {
 
-/// Pulls only. Its stretch is that of the geometry, |winch - hitch| - (L0 - wound in), which is what Coetzee et al.
-/// (2010) Eqs. (16)-(19) accumulate step by step, but without their drift; tension k_r times the stretch (Eq. (20)).
+/// Pulls only. Its stretch is that of the geometry, |winch - hitch| - (L0 - wound in), which is what Coetzee
+/// et al. (2010) Eqs. (16)-(19) accumulate step by step, but without their drift; tension k_r times the
+/// stretch (Eq. (20)).
 struct Rope {
   std::string name = "rope";
-  Vector hitch = Vector::Zero();             ///< m, in the wall's frame
-  Vector winch = Vector::Zero();             ///< m, in space
-  double stiffness = 0.0;                    ///< N/m, above 0
-  double damping = 0.0;                      ///< N s/m, 0 or above; not in the paper
-  double slack = 0.0;                        ///< m, by which it is longer than the distance at the start
+  Vector hitch = Vector::Zero();              ///< m, in the wall's frame
+  Vector winch = Vector::Zero();              ///< m, in space
+  double stiffness = 0.0;                     ///< N/m, above 0
+  double damping = 0.0;                       ///< N s/m, 0 or above; not in the paper
+  double slack = 0.0;                         ///< m, by which it is longer than the distance at the start
   std::function<double(double time)> wound{}; ///< m wound in by a time; none for a rope of constant length
 
   double unstretched = std::numeric_limits<double>::quiet_NaN(); ///< m, at the start: set by `taut`
-  double stretch = 0.0;             ///< m, in the last step; below 0 when slack
-  double tension = 0.0;             ///< N, in the last step, 0 or above
-  Vector impulse = Vector::Zero();  ///< N s, given to the body since the start
-  double winch_work = 0.0;          ///< J, put in by the winch since the start
+  double stretch = 0.0;                                          ///< m, in the last step; below 0 when slack
+  double tension = 0.0;                                          ///< N, in the last step, 0 or above
+  Vector impulse = Vector::Zero();                               ///< N s, given to the body since the start
+  double winch_work = 0.0;                                       ///< J, put in by the winch since the start
 
   /// Sets the length at the start from where the body is, unless one was given.
   /// \throws Error for a parameter out of range.

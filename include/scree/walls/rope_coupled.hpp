@@ -4,8 +4,8 @@
 
 #include "scree/geometry/sphere.hpp"
 #include "scree/state/rotation.hpp"
-#include "scree/walls/rope.hpp"
 #include "scree/walls/concept.hpp"
+#include "scree/walls/rope.hpp"
 
 #include <Eigen/Eigenvalues>
 
@@ -14,14 +14,16 @@
 
 namespace scree {
 
-/// The bucket of Coetzee et al. (2010) section 5: six degrees of freedom, Eqs. (3)-(20) as corrected (Euler's equations
-/// for (6), moments x_h x F_r, the rotation matrix of the quaternion for (9)-(10)), leapfrog in time.
+/// The bucket of Coetzee et al. (2010) section 5: six degrees of freedom, Eqs. (3)-(20) as corrected (Euler's
+/// equations for (6), moments x_h x F_r, the rotation matrix of the quaternion for (9)-(10)), leapfrog in
+/// time.
 class RopeCoupled {
 public:
   /// `body`: mass, centre and inertia in the wall's frame.
   /// \throws Error for a mass of 0 or below or an inertia that no solid has.
   explicit RopeCoupled(const MassProperties& body, std::vector<Rope> ropes = {})
-      : mass_{require_positive("rope-coupled wall: mass", body.mass, "kg")}, centre_{body.centre},
+      : mass_{require_positive("rope-coupled wall: mass", body.mass, "kg")},
+        centre_{body.centre},
         ropes_{std::move(ropes)} {
     if (!body.inertia.allFinite() || !body.centre.allFinite() ||
         !body.inertia.isApprox(body.inertia.transpose(), 1e-9)) {
@@ -30,8 +32,8 @@ public:
     const Eigen::SelfAdjointEigenSolver<Matrix> solver{body.inertia};
     inertia_ = solver.eigenvalues();
     if (!(inertia_[0] > 0.0) || inertia_[0] + inertia_[1] < inertia_[2] * (1.0 - 1e-9)) {
-      throw Error(message("rope-coupled wall: principal moments of inertia ", inertia_[0], ", ", inertia_[1], ", ",
-                          inertia_[2], " kg m2 are those of no solid"));
+      throw Error(message("rope-coupled wall: principal moments of inertia ", inertia_[0], ", ", inertia_[1],
+                          ", ", inertia_[2], " kg m2 are those of no solid"));
     }
     Matrix axes = solver.eigenvectors();
     if (axes.determinant() < 0.0) {
@@ -89,8 +91,8 @@ public:
       stiffest = stiffest == nullptr || rope.stiffness > stiffest->stiffness ? &rope : stiffest;
     }
     return stiffest == nullptr ? std::string{}
-                               : message("rope '", stiffest->name, "' of ", stiffest->stiffness, " N/m on a body of ",
-                                         mass_, " kg");
+                               : message("rope '", stiffest->name, "' of ", stiffest->stiffness,
+                                         " N/m on a body of ", mass_, " kg");
   }
 
   [[nodiscard]] const std::vector<Rope>& ropes() const { return ropes_; }

@@ -66,7 +66,8 @@ public:
       return most;
     }
     if (const auto* tube = std::get_if<Cylinder>(&shape_)) {
-      const double end = std::isinf(tube->length) ? tube->length : (tube->base + tube->length * tube->axis).norm();
+      const double end =
+          std::isinf(tube->length) ? tube->length : (tube->base + tube->length * tube->axis).norm();
       return std::max(tube->base.norm(), end) + tube->radius;
     }
     return std::numeric_limits<double>::infinity();

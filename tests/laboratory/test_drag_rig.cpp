@@ -1,0 +1,98 @@
+#include "scree/geometry/dragline_bucket.hpp"
+#include "scree/laboratory/drag_rig.hpp"
+#include "scree/measure/state_hash.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace scree;
+
+namespace {
+
+BucketBody paper_bucket() {
+  return {make_dragline_bucket(), bucket_interior(), hitch_points(), estimated_from_plates()};
+}
+
+/// A tenth of the way, over a bed of few large grains.
+DragSetup small_drag() {
+  DragSetup s = desk_drag();
+  s.size_factor = 2.6;
+  s.bed_length = 0.9;
+  s.bed_width = 0.42;
+  s.bed_depth = 0.2;
+  s.bucket_start = 0.1;
+  s.drag_distance = 0.12;
+  s.removal_interval = 0.04;
+  s.removal_distance = 0.2;
+  s.threads = 1;
+  return s;
+}
+
+} // namespace
+
+TEST_CASE("physics: a bucket is dragged over a bed, its grains counted and removed, the same for any number "
+          "of threads") {
+  const auto run = [](unsigned threads) {
+    DragSetup setup = small_drag();
+    setup.threads = threads;
+    DragRig<DefaultModel> rig{setup, paper_bucket()};
+    rig.make_bed(Assembly{default_rock(setup.mass_convention), setup.size_factor},
+                 [](const auto&, const auto&) {});
+    const std::size_t before = rig.simulation().bodies().size();
+    rig.place_bucket([](const auto&) {});
+    CHECK(std::abs(rig.sample().attitude.roll) < 0.3);
+    double most = 0.0, last = 0.0;
+    while (!rig.done()) {
+      rig.advance(0.02, [](const auto&) {});
+      const DragSample s = rig.sample();
+      most = std::max(most, s.force);
+      CHECK(s.force == doctest::Approx(s.force_left + s.force_right));
+      CHECK(s.frictional_work >= last);
+      last = s.frictional_work;
+    }
+    // The ropes have to overcome friction at least: a fifth of the bucket's weight is far below it.
+    CHECK(most > 0.2 * rig.bucket().body.mass * 9.81);
+    CHECK(rig.drag() == doctest::Approx(0.12).epsilon(0.2));
+    CHECK(rig.simulation().bodies().size() < before);
+    return state_hash(rig.simulation().bodies());
+  };
+  CHECK(run(1) == run(2));
+}
+
+TEST_CASE("the winch winds in what its speed and ramp say") {
+  DragSetup s;
+  s.drag_speed = 0.4;
+  s.ramp = 0.2;
+  CHECK(s.wound(-1.0) == 0.0);
+  CHECK(s.wound(0.1) == doctest::Approx(0.01));
+  CHECK(s.wound(0.2) == doctest::Approx(0.04));
+  CHECK(s.wound(1.2) == doctest::Approx(0.44));
+}
+
+TEST_CASE("gravity leans against the drag where the bed rises towards the winch") {
+  DragSetup s;
+  s.drag_angle = 0.3;
+  CHECK(s.gravity().norm() == doctest::Approx(9.81));
+  CHECK(s.gravity().x() == doctest::Approx(-9.81 * std::sin(0.3)));
+}
+
+TEST_CASE("a rig that cannot work is refused by the parameter that is wrong") {
+  const auto refused = [](auto change) {
+    DragSetup s = small_drag();
+    change(s);
+    try {
+      const DragRig<DefaultModel> rig{s, paper_bucket()};
+    } catch (const Error& error) {
+      return std::string{error.what()};
+    }
+    return std::string{};
+  };
+  CHECK(refused([](DragSetup& s) { s.bed_length = 0.5; }).find("bed_length = 0.5 m is too short") !=
+        std::string::npos);
+  CHECK(refused([](DragSetup& s) { s.bed_width = 0.2; }).find("bed_width = 0.2 m is narrower") !=
+        std::string::npos);
+  CHECK(refused([](DragSetup& s) { s.drag_speed = 0.0; }).find("drag_speed = 0 m/s") != std::string::npos);
+  CHECK(refused([](DragSetup& s) { s.winch_distance = 0.1; }).find("winch_distance = 0.1 m must exceed") !=
+        std::string::npos);
+  CHECK(refused([](DragSetup& s) { s.rock.friction = -1.0; }).find("material 'rock': friction = -1") !=
+        std::string::npos);
+}
