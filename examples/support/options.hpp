@@ -54,6 +54,11 @@ public:
   void add(std::string name, bool& value, std::string doc, Provenance from = Provenance::ours) {
     entries_.push_back({std::move(name), group_, std::move(doc), from, {}, {}, &value});
   }
+  /// A list of numbers: "1,2,3" on the command line, [1, 2, 3] in TOML; of the length that it has now.
+  void add(std::string name, std::vector<double>& value, const Range& range, std::string doc,
+           Provenance from = Provenance::ours) {
+    entries_.push_back({std::move(name), group_, std::move(doc), from, range, {}, &value});
+  }
   /// A text; one of `choices` unless there are none.
   void add(std::string name, std::string& value, std::vector<std::string> choices, std::string doc,
            Provenance from = Provenance::ours) {
@@ -158,7 +163,7 @@ private:
     Provenance from;
     Range range;
     std::vector<std::string> choices;
-    std::variant<double*, std::uint64_t*, bool*, std::string*> value;
+    std::variant<double*, std::uint64_t*, bool*, std::string*, std::vector<double>*> value;
 
     [[nodiscard]] std::string kind() const {
       switch (value.index()) {
@@ -168,6 +173,8 @@ private:
         return "INTEGER";
       case 2:
         return "true|false";
+      case 4:
+        return message("NUMBERS", range.unit.empty() ? "" : " ", range.unit);
       default:
         return choices.empty() ? "TEXT" : joined(choices, "|");
       }
@@ -183,12 +190,19 @@ private:
       if (const auto* flag = std::get_if<bool*>(&value)) {
         return **flag ? "true" : "false";
       }
+      if (const auto* list = std::get_if<std::vector<double>*>(&value)) {
+        std::vector<std::string> numbers;
+        for (const double number : **list) {
+          numbers.push_back(number_text(number));
+        }
+        return joined(numbers, ",");
+      }
       return *std::get<std::string*>(value);
     }
 
     [[nodiscard]] std::string described() const {
       std::string out = message(doc, " [", text().empty() ? "none" : text());
-      if (value.index() < 2) {
+      if (value.index() < 2 || value.index() == 4) {
         out += message("; ", limit(range.least), " to ", limit(range.most));
       }
       return out + (from == Provenance::paper ? "; paper]" : "; ours]");
@@ -210,6 +224,8 @@ private:
         shown = '"' + escaped(shown) + '"';
       } else if (value.index() == 0 && shown.find_first_of(".en") == std::string::npos) {
         shown += ".0";
+      } else if (value.index() == 4) {
+        shown = "[" + shown + "]";
       }
       const std::string unit = range.unit.empty() ? "" : message(range.unit, "; ");
       return message(key, " = ", shown, "  # ", unit, from == Provenance::paper ? "paper; " : "ours; ", doc,
@@ -250,6 +266,18 @@ private:
           refuse(where, given, "true or false");
         }
         **flag = given == "true";
+      } else if (value.index() == 4) {
+        std::vector<double> numbers;
+        for (std::size_t begin = 0; begin <= given.size();) {
+          const std::size_t comma = std::min(given.find(',', begin), given.size());
+          const auto number = parse_number(std::string_view{given}.substr(begin, comma - begin));
+          if (!number) {
+            refuse(where, given, "a list of numbers with commas between them");
+          }
+          numbers.push_back(*number);
+          begin = comma + 1;
+        }
+        set_list(numbers, where);
       } else {
         set_string(given, where);
       }
@@ -261,6 +289,16 @@ private:
     void set_integer(std::uint64_t integer, const std::string& where) {
       require(where + name, static_cast<double>(integer), range);
       *std::get<std::uint64_t*>(value) = integer;
+    }
+    void set_list(const std::vector<double>& numbers, const std::string& where) {
+      auto& list = *std::get<std::vector<double>*>(value);
+      if (numbers.size() != list.size()) {
+        throw Error(message(where, name, ": ", numbers.size(), " numbers, but it takes ", list.size()));
+      }
+      for (std::size_t k = 0; k < numbers.size(); ++k) {
+        require(message(where, name, "[", k, "]"), numbers[k], range);
+      }
+      list = numbers;
     }
     void set_string(const std::string& given, const std::string& where) {
       if (!choices.empty() && std::find(choices.begin(), choices.end(), given) == choices.end()) {
@@ -278,13 +316,26 @@ private:
         *std::get<bool*>(value) = *node.value<bool>();
       } else if (value.index() == 3 && node.is_string()) {
         set_string(*node.value<std::string>(), where);
+      } else if (const toml::array* array = node.as_array(); value.index() == 4 && array != nullptr) {
+        std::vector<double> numbers;
+        for (const toml::node& item : *array) {
+          if (!item.is_number()) {
+            refuse(where, text_of(node), "a list of numbers");
+          }
+          numbers.push_back(*item.value<double>());
+        }
+        set_list(numbers, where);
       } else {
         static constexpr const char* wanted[] = {"a number", "a whole number, 0 or above", "true or false",
-                                                 "a text"};
-        std::ostringstream shown;
-        node.visit([&](const auto& n) { shown << n; });
-        refuse(where, shown.str(), wanted[value.index()]);
+                                                 "a text", "a list of numbers"};
+        refuse(where, text_of(node), wanted[value.index()]);
       }
+    }
+
+    static std::string text_of(const toml::node& node) {
+      std::ostringstream shown;
+      node.visit([&](const auto& n) { shown << n; });
+      return shown.str();
     }
   };
 

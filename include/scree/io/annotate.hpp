@@ -21,16 +21,18 @@ namespace scree {
 namespace detail {
 
 /// Seven rows of each letter from ' ' to '~', then the degree sign and a box for everything else. A row is a
-/// digit to base 32 (0-9, A-V), its highest bit the left-most point.
+/// digit to base 32 (0-9, A-V), its highest bit the left-most point. Letters of `descending` are shown two
+/// rows lower.
 inline constexpr std::string_view glyphs =
     "00000004444404AA00000AAVAVAA4FKE5U4OP248J3CIK8LID44000002488842842224804LEL40044V4400000048"
     "000V0000000004122488GEHHHHHE4C4444EEH1248VEH161HE26AIV22VGU11HE68GUHHEV124444EHHEHHEEHHF12C"
     "00400400040048248G84200V0V008421248EH12404EHNLNGE4AHHVHHUHHUHHUEHGGGHEUHHHHHUVGGUGGVVGGUGGG"
     "EHGJHHEHHHVHHHE44444E72222ICHIKOKIHGGGGGGVHRLHHHHHPPLJJHEHHHHHEUHHUGGGEHHHLIDUHHUKIHEHGE1HE"
     "V444444HHHHHHEHHHHAA4HHHHLRHHHA4AHHHHA4444V1248GVE88888EG884221E22222E4AH0000000000V8400000"
-    "00E1FHFGGUHHHU00EGGGE11FHHHF00EHVGE68U88880FHHF1EGGUHHHH4044444202222CGGIKOKI444444400ULLLL"
-    "00UHHHH00EHHHE0UHHUGG0FHHF1100MOGGG00FGE1U88U888600HHHHF00HHHA400HLLLA00HA4AH0HHHF1E00V248V"
+    "00E1FHFGGUHHHU00EGGGE11FHHHF00EHVGE68U8888FHHHF1EGGUHHHH4044444202222CGGIKOKI444444400ULLLL"
+    "00UHHHH00EHHHEUHHHUGGFHHHF1100MOGGG00FGE1U88U888600HHHHF00HHHA400HLLLA00HA4AHHHHHF1E00V248V"
     "34484434444444O44244O008L200CIIC000VHHHHHV";
+inline constexpr std::string_view descending = "gpqy";
 
 /// The points of a letter.
 class Glyph {
@@ -94,7 +96,7 @@ inline void draw_stroke(Image& image, double x0, double y0, double x1, double y1
 /// Draws a letter with its upper left point at (left, top) and its points `pitch` pixels apart.
 inline void draw_glyph(Image& image, double left, double top, double pitch, const Glyph& glyph, Rgb colour) {
   const auto stroke = [&](int c0, int r0, int c1, int r1) {
-    draw_stroke(image, left + c0 * pitch, top + r0 * pitch, left + c1 * pitch, top + r1 * pitch, 1.05 * pitch,
+    draw_stroke(image, left + c0 * pitch, top + r0 * pitch, left + c1 * pitch, top + r1 * pitch, 0.9 * pitch,
                 colour);
   };
   for (int row = 0; row < 7; ++row) {
@@ -154,8 +156,9 @@ inline void draw_text(Image& image, double x, double y, std::string_view text, c
   const double pitch = style.height / 6.0; // seven rows of points are six steps high
   double left = x - style.align * text_width(text, style.height);
   for (std::size_t place = 0; place < text.size(); left += 6.0 * pitch) {
+    const double drop = detail::descending.find(text[place]) == std::string_view::npos ? 0.0 : 2.0 * pitch;
     const detail::Glyph glyph{detail::next_glyph(text, place)};
-    detail::draw_glyph(image, left, y, pitch, glyph, style.colour);
+    detail::draw_glyph(image, left, y + drop, pitch, glyph, style.colour);
   }
 }
 

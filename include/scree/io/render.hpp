@@ -38,7 +38,7 @@ struct RenderStyle {
   double hollow_strength = 0.9;   ///< darkening of gaps between grains, 0 (none) to 1
   double hollow_reach = 0.0;      ///< m, how far neighbours darken; 0 for the mean radius of the spheres
   double cut_lightness = 0.25;    ///< share of white in the faces of cut spheres, 0 to 1
-  double section_width = 3.0;     ///< pixels, of the line in which a cut surface shows
+  double section_width = 4.5;     ///< pixels, of the line in which a cut surface shows
   int samples = 2;                ///< per pixel and direction, 1 to 4, against ragged edges
 };
 
@@ -129,7 +129,7 @@ public:
       }
       const Corners corners{seen[facet[0]], seen[facet[1]], seen[facet[2]]};
       triangle(corners, colour, object);
-      section(corners, blend(colour, style_.outline, 0.6), object);
+      section(corners, blend(colour, style_.outline, 0.25), object);
     }
   }
 

@@ -36,6 +36,7 @@ struct BedReport {
   double unbalanced = 0.0;      ///< mean unbalanced over mean contact force
   double bulk_density = 0.0;    ///< kg/m3, of all grains below the brim over the volume of the trough
   std::size_t poured = 0, kept = 0;
+  std::vector<DrawnClump> drawn{}; ///< what was poured, for its histogram
   double duration = 0.0; ///< s, simulated
 };
 
@@ -167,6 +168,7 @@ BedReport settle_bed(Simulation& simulation, const BedContainer& bed, const Asse
   const Packing pile = detail::poured(bed, assembly, rock, recipe, random);
   double grain = 0.0;
   for (const PackedBody& body : pile.bodies) {
+    report.drawn.push_back({body.shape, body.scale});
     grain +=
         2.0 * pile.shapes[body.shape].bounding_radius * body.scale / static_cast<double>(pile.bodies.size());
   }

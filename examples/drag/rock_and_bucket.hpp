@@ -1,0 +1,89 @@
+#pragma once
+/// \file
+/// The rock and the bucket that the parameters describe.
+
+#include "parameters.hpp"
+
+#include "scree/geometry/interior_from_hull.hpp"
+#include "scree/geometry/mesh_topology.hpp"
+#include "scree/io/csv.hpp"
+#include "scree/io/stl.hpp"
+#include "scree/laboratory/drag_setup.hpp"
+#include "scree/packing/assembly.hpp"
+#include "scree/packing/size_histogram.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace drag {
+
+inline scree::Assembly rock(const Parameters& p) {
+  const auto shapes = scree::paper_shapes(p.setup.mass_convention);
+  std::vector<scree::ShapeFraction> parts;
+  for (std::size_t k = 0; k < shapes.size(); ++k) {
+    parts.push_back(
+        {shapes[k], p.fractions[k],
+         scree::SieveCurve{p.openings, p.passing[k],
+                           p.sieve_basis == "mass" ? scree::SieveBasis::mass : scree::SieveBasis::number}});
+  }
+  return scree::Assembly{std::move(parts), p.setup.size_factor};
+}
+
+/// The bucket, and words on what was assumed of it.
+inline scree::BucketBody bucket(const Parameters& p, std::vector<std::string>& remarks) {
+  scree::BucketBody out;
+  const auto vector = [](const std::vector<double>& v) { return scree::Vector{v[0], v[1], v[2]}; };
+  if (p.bucket_stl.empty()) {
+    const auto level =
+        p.detail == "detailed" ? scree::BucketDetail::detailed : scree::BucketDetail::simplified;
+    out.surface = scree::make_dragline_bucket(p.bucket, level);
+    out.interior = scree::bucket_interior(p.bucket);
+    out.hitches = scree::hitch_points(p.bucket);
+    out.body = scree::estimated_from_plates(p.bucket);
+  } else {
+    const scree::StlOptions reading{.scale = p.stl_scale, .weld_tolerance = p.stl_weld};
+    out.surface = scree::without_collapsed_facets(scree::read_stl(p.bucket_stl, reading));
+    const auto report = scree::check(out.surface);
+    if (!report.clean()) {
+      remarks.push_back(p.bucket_stl + ": " + report.summary());
+    }
+    out.interior = p.interior_stl.empty() ? scree::interior_from_hull(out.surface)
+                                          : scree::read_stl(p.interior_stl, reading);
+    out.hitches = {vector(p.hitch_left), vector(p.hitch_right)};
+    out.body = scree::plate_properties(out.surface, 0.5 * p.bucket.plate_thickness, 7850.0);
+    if (p.interior_stl.empty()) {
+      remarks.push_back("interior of the bucket: hull of its side view between the cheeks");
+    }
+  }
+  if (!scree::check(out.interior).closed()) {
+    throw scree::Error("bucket interior: the mesh is not closed, so nothing can be inside it");
+  }
+  if (p.mass > 0.0) {
+    out.body = {p.mass, vector(p.centre), vector(p.inertia).asDiagonal()};
+  } else {
+    remarks.push_back(scree::message("mass of the bucket estimated from its plates: ", out.body.mass, " kg"));
+  }
+  return out;
+}
+
+/// Requested and generated shares of every shape and sieve class, side by side.
+inline void write_sizes(const std::filesystem::path& file, const scree::Assembly& assembly,
+                        const std::vector<scree::DrawnClump>& drawn) {
+  scree::CsvWriter table{
+      file,
+      {"shape", "above_m", "below_m", "target_share", "generated_share", "shape_target_share",
+       "shape_generated_share"},
+      "Shares within a shape, on the basis of its sieve curve; sizes of the material, before the size "
+      "factor; shares of the shapes by number: 0 aligned, 1 pyramid, 2 flat, 3 sphere."};
+  const auto histograms = scree::size_histograms(assembly, drawn);
+  for (std::size_t shape = 0; shape < histograms.size(); ++shape) {
+    const auto& h = histograms[shape];
+    for (std::size_t k = 0; k + 1 < h.openings.size(); ++k) {
+      table.row({static_cast<double>(shape), h.openings[k], h.openings[k + 1], h.target[k], h.generated[k],
+                 h.target_fraction, h.generated_fraction});
+    }
+  }
+}
+
+} // namespace drag
