@@ -158,6 +158,15 @@ inline std::string read_text(const std::filesystem::path& file, std::size_t byte
   return text;
 }
 
+/// A field as it is shown in a message: in quotes, one line, not too long.
+inline std::string quoted(std::string_view field) {
+  constexpr std::size_t most = 40;
+  std::string shown{field.substr(0, most)};
+  std::replace_if(
+      shown.begin(), shown.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; }, '?');
+  return '"' + shown + (field.size() > most ? "...\"" : "\"");
+}
+
 inline std::string_view trimmed(std::string_view text) {
   const auto first = text.find_first_not_of(" \t");
   return first == std::string_view::npos ? std::string_view{}
@@ -213,7 +222,7 @@ inline CsvTable read_csv(const std::filesystem::path& file, const CsvLimits& lim
       }
       for (const auto name : fields) {
         if (name.empty() || name.find('"') != std::string_view::npos) {
-          throw file_error(file, number, message("\"", name, "\" cannot name a column"));
+          throw file_error(file, number, message(detail::quoted(name), " cannot name a column"));
         }
         if (parse_number(name)) {
           throw file_error(file, number, message("names of columns expected, not the number ", name));
@@ -233,8 +242,9 @@ inline CsvTable read_csv(const std::filesystem::path& file, const CsvLimits& lim
     for (std::size_t c = 0; c < fields.size(); ++c) {
       const auto value = parse_number(fields[c]);
       if (!value) {
-        throw file_error(file, number,
-                         message(table.columns[c], " is \"", fields[c], "\", not a finite number"));
+        throw file_error(
+            file, number,
+            message(table.columns[c], " is ", detail::quoted(fields[c]), ", not a finite number"));
       }
       table.data[c].push_back(*value);
     }
