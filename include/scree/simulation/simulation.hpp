@@ -98,6 +98,9 @@ public:
   };
   /// Adds one body and returns its id.
   std::uint64_t add(const BodySetup& b) {
+    if (b.clump == nullptr) {
+      throw Error("a body needs a clump for its shape");
+    }
     lists_valid_ = false;
     limit_known_ = false;
     return bodies_.add({b.clump, b.scale, materials_.at(b.material).density, b.material, b.position,
@@ -227,9 +230,13 @@ public:
   }
   /// The critical time step of what is there now and the pair or rope that sets it.
   [[nodiscard]] StepLimit step_limit() const {
+    std::vector<Softest> softest_of(materials_.size());
+    for (std::size_t m = 0; m < softest_of.size(); ++m) {
+      softest_of[m] = softest(bodies_, static_cast<MaterialId>(m));
+    }
     StepLimit limit;
-    limit_by_pairs(limit);
-    limit_by_walls(limit);
+    limit_by_pairs(softest_of, limit);
+    limit_by_walls(softest_of, limit);
     return limit;
   }
 
@@ -335,13 +342,9 @@ private:
     limit_known_ = true;
   }
 
-  void limit_by_pairs(StepLimit& limit) const {
+  void limit_by_pairs(std::span<const Softest> softest_of, StepLimit& limit) const {
     const std::size_t n = materials_.size();
-    std::vector<Softest> softest_of(n);
     std::vector<bool> on_wall(n, false);
-    for (std::size_t m = 0; m < n; ++m) {
-      softest_of[m] = softest(bodies_, static_cast<MaterialId>(m));
-    }
     for (const WallBody& wall : walls_) {
       for (const WallSurface& surface : wall.surfaces) {
         on_wall[surface.material()] = true;
@@ -388,7 +391,7 @@ private:
                    [&] { return message(who(), " of ", stiffest, " N/m"); });
   }
 
-  void limit_by_walls(StepLimit& limit) const {
+  void limit_by_walls(std::span<const Softest> softest_of, StepLimit& limit) const {
     for (std::size_t w = 0; w < walls_.size(); ++w) {
       std::visit(
           [&](const auto& dynamics) {
@@ -402,8 +405,8 @@ private:
             if constexpr (GivesWay<D>) {
               if (const std::size_t touching = walls_[w].load.contacts; touching > 0) {
                 const double arm = std::isfinite(wall_extents_[w]) ? wall_extents_[w] : 0.0;
-                squared_frequency +=
-                    static_cast<double>(touching) * stiffest_on(walls_[w]) * dynamics.mobility(arm);
+                squared_frequency += static_cast<double>(touching) * stiffest_on(walls_[w], softest_of) *
+                                     dynamics.mobility(arm);
                 cause += message(cause.empty() ? "" : " and ", touching, " contacts of grains");
               }
             }
@@ -416,11 +419,11 @@ private:
     }
   }
 
-  [[nodiscard]] double stiffest_on(const WallBody& wall) const {
+  [[nodiscard]] double stiffest_on(const WallBody& wall, std::span<const Softest> softest_of) const {
     double most = 0.0;
     for (const WallSurface& surface : wall.surfaces) {
       for (std::size_t m = 0; m < materials_.size(); ++m) {
-        const Softest body = softest(bodies_, static_cast<MaterialId>(m));
+        const Softest& body = softest_of[m];
         if (body.mobility > 0.0) {
           const auto pair = materials_.pair(static_cast<MaterialId>(m), surface.material());
           const ContactStiffness k = setup_.contact.stiffness(pair, body.radius, body.mass, setup_.top_speed);
