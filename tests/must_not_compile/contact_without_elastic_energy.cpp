@@ -1,0 +1,21 @@
+// expect: error: .*scree: Model::Contact is missing elastic_energy\(
+#include "scree/simulation/simulation.hpp"
+
+using Linear = scree::LinearSpring<>;
+
+struct Law : private Linear {
+  using Linear::check;
+  using Linear::evaluate;
+  using Linear::history_parity;
+  using Linear::history_size;
+  using Linear::stiffness;
+};
+
+struct Model : scree::DefaultModel {
+  using Contact = Law;
+};
+
+int main() {
+  scree::Simulation<Model> simulation;
+  simulation.step();
+}

@@ -1,0 +1,15 @@
+// expect: error: .*scree: Model::Integrator is missing translate\(
+#include "scree/simulation/simulation.hpp"
+
+struct Half : private scree::Leapfrog {
+  using Leapfrog::rotate;
+};
+
+struct Model : scree::DefaultModel {
+  using Integrator = Half;
+};
+
+int main() {
+  scree::Simulation<Model> simulation;
+  simulation.step();
+}
