@@ -23,12 +23,46 @@
 #include <cstddef>
 #include <span>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
 namespace scree {
 
+/// Whether an extension changes the normal force.
+template <class E, class T = double>
+concept ChangesNormalForce = requires(const E& extension, const PairMaterial<T>& pair, const Kinematics<T>& k,
+                                      T force,
+                                      std::span<T, static_cast<std::size_t>(E::history_size)> history) {
+  { extension.normal(pair, k, force, history) } -> std::same_as<T>;
+};
+
+/// Whether an extension adds to the couple.
+template <class E, class T = double>
+concept AddsCouple = requires(const E& extension, const PairMaterial<T>& pair, const Kinematics<T>& k,
+                              T stiffness, T force,
+                              std::span<T, static_cast<std::size_t>(E::history_size)> history, T& work) {
+  { extension.couple(pair, k, stiffness, force, history, work) } -> std::same_as<Vec3<T>>;
+};
+
+namespace detail {
+
+/// States what an extension lacks. One whose operations do not fit would otherwise be left out without a
+/// word.
 template <class E>
-concept LawExtension = std::copyable<E> && HasHistory<E>;
+struct ExtensionCheck {
+  static_assert(std::copyable<E>,
+                "scree: an extension of a contact law cannot be copied (contact/frictional.hpp)");
+  static_assert(HasHistory<E>,
+                "scree: an extension of a contact law is missing history_size or history_parity "
+                "(contact/frictional.hpp)");
+  static_assert(!HasHistory<E> || ChangesNormalForce<E> || AddsCouple<E>,
+                "scree: an extension of a contact law has neither normal(pair, k, normal_force, history) nor "
+                "couple(pair, k, normal_stiffness, normal_force, history, frictional_work) "
+                "(contact/frictional.hpp)");
+  static constexpr bool done = true;
+};
+
+} // namespace detail
 
 /// What a normal model (Linear, Hertz) says of one contact. Stiffness of 0 in shear means no tangential
 /// spring.
@@ -45,9 +79,9 @@ struct SpringDashpot {
 /// Turns a tangential vector with its contact, to third order in the angle of one step, and puts it into the
 /// plane normal to the contact. No root and no quotient: this is done for every contact in every step.
 template <class T>
-Vec3<T> turned_with_contact(const Vec3<T>& spring, const Kinematics<T>& k) {
+[[gnu::always_inline]] inline Vec3<T> turned_with_contact(const Vec3<T>& spring, const Kinematics<T>& k) {
   const Vec3<T> once = cross(k.turn, spring);
-  const Vec3<T> turned = spring + once + cross(k.turn, once) * T(0.5);
+  const Vec3<T> turned = (spring + once) + cross(k.turn * T(0.5), once);
   return turned - k.normal * dot(turned, k.normal);
 }
 
@@ -59,8 +93,9 @@ Vec3<T> turned_with_contact(const Vec3<T>& spring, const Kinematics<T>& k) {
 ///
 /// History: three numbers of the tangential spring force [N], those of the normal model, those of each
 /// extension.
-template <class NormalModel, LawExtension... Extensions>
+template <class NormalModel, class... Extensions>
 class FrictionalLaw {
+  static_assert((detail::ExtensionCheck<Extensions>::done && ...));
   static constexpr int own = 3 + NormalModel::history_size;
 
 public:
@@ -107,8 +142,9 @@ public:
   }
 
   template <class T>
-  ContactForce<T> evaluate(const PairMaterial<T>& pair, const Kinematics<T>& k,
-                           std::array<T, static_cast<std::size_t>(history_size)>& history) const {
+  [[gnu::always_inline]] ContactForce<T>
+  evaluate(const PairMaterial<T>& pair, const Kinematics<T>& k,
+           std::array<T, static_cast<std::size_t>(history_size)>& history) const {
     Vec3<T> spring = turned_with_contact(Vec3<T>{history[0], history[1], history[2]}, k);
     const SpringDashpot<T> at =
         NormalModel::evaluate(pair, k, spring, part<3, NormalModel::history_size>(history));
@@ -118,7 +154,7 @@ public:
     ContactForce<T> out;
     out.normal = at.normal_force - at.normal_damping * normal_speed;
     for_each_extension(history, [&](const auto& extension, auto own_history) {
-      if constexpr (requires { extension.normal(pair, k, out.normal, own_history); }) {
+      if constexpr (ChangesNormalForce<std::decay_t<decltype(extension)>, T>) {
         out.normal = extension.normal(pair, k, out.normal, own_history);
       }
     });
@@ -129,26 +165,24 @@ public:
     const Vec3<T> wanted = trial + drag;
     const T wanted2 = squared_norm(wanted);
     const auto sliding = wanted2 > limit * limit;
-    out.tangential = wanted;
-    Vec3<T> kept = trial;
+    Vec3<T> tangential = wanted, kept = trial;
     if (any(sliding)) {
       const T share = select(sliding, limit / square_root(select(sliding, wanted2, T(1))), T(1));
-      out.tangential = wanted * share;
-      kept = {select(sliding, out.tangential.x - drag.x, trial.x),
-              select(sliding, out.tangential.y - drag.y, trial.y),
-              select(sliding, out.tangential.z - drag.z, trial.z)};
+      tangential = wanted * share;
+      kept = {select(sliding, tangential.x - drag.x, trial.x),
+              select(sliding, tangential.y - drag.y, trial.y),
+              select(sliding, tangential.z - drag.z, trial.z)};
+      // Of the tangential displacement, -(kept - spring)/k_s loads the spring and the rest slides.
+      out.frictional_work = dot(tangential, trial - kept) * at.inverse_shear_stiffness;
     }
+    out.tangential = tangential;
     history[0] = kept.x;
     history[1] = kept.y;
     history[2] = kept.z;
-    // Of the tangential displacement, -(kept - spring)/k_s loads the spring and the rest slides.
-    out.frictional_work = dot(out.tangential, trial - kept) * at.inverse_shear_stiffness;
     out.viscous_work = at.normal_damping * normal_speed * normal_speed * k.dt +
                        dot(drag, kept - spring) * at.inverse_shear_stiffness;
     for_each_extension(history, [&](const auto& extension, auto own_history) {
-      if constexpr (requires(T work) {
-                      extension.couple(pair, k, at.normal_stiffness, out.normal, own_history, work);
-                    }) {
+      if constexpr (AddsCouple<std::decay_t<decltype(extension)>, T>) {
         out.couple +=
             extension.couple(pair, k, at.normal_stiffness, out.normal, own_history, out.frictional_work);
       }

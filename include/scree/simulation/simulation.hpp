@@ -3,11 +3,11 @@
 /// The simulation type: one model, its state and its time step.
 
 #include "scree/packing/packing.hpp"
+#include "scree/simulation/contact_lists.hpp"
 #include "scree/simulation/model.hpp"
 #include "scree/simulation/motion_loop.hpp"
 #include "scree/simulation/pair_loop.hpp"
-#include "scree/simulation/spatial_order.hpp"
-#include "scree/simulation/stable_step.hpp"
+#include "scree/simulation/step_limit.hpp"
 #include "scree/simulation/wall_contacts.hpp"
 
 #include <chrono>
@@ -62,7 +62,8 @@ public:
       : setup_{std::move(setup)},
         materials_{setup_.stiffness},
         domain_{setup_.period},
-        workers_{setup_.threads} {
+        workers_{setup_.threads},
+        lists_{setup_.neighbours, setup_.sort_interval} {
     require("local_damping", setup_.local_damping, {0.0, 0.999});
     require("step_safety", setup_.step_safety, {1e-6, 1.0});
     require("time_step", setup_.time_step, {0.0, std::numeric_limits<double>::max(), "s"});
@@ -72,8 +73,7 @@ public:
     }
   }
 
-  // ---- building
-  // ------------------------------------------------------------------------------------------------
+  // ---- building ----
 
   MaterialId add_material(Material material) {
     const MaterialId id = materials_.add(std::move(material));
@@ -101,8 +101,7 @@ public:
     if (b.clump == nullptr) {
       throw Error("a body needs a clump for its shape");
     }
-    lists_valid_ = false;
-    limit_known_ = false;
+    bodies_changed();
     return bodies_.add({b.clump, b.scale, materials_.at(b.material).density, b.material, b.position,
                         b.orientation, b.velocity, b.angular_velocity, b.fixed});
   }
@@ -122,21 +121,14 @@ public:
     }
     wall.motion.orientation.normalize();
     walls_.push_back(std::move(wall));
-    double extent = 0.0;
-    for (const WallSurface& surface : walls_.back().surfaces) {
-      extent = std::max(extent, surface.extent());
-    }
-    wall_extents_.push_back(extent);
-    lists_valid_ = false;
-    limit_known_ = false;
+    bodies_changed();
     if (started_) {
       start_wall(walls_.back());
     }
     return walls_.size() - 1;
   }
 
-  // ---- changing
-  // ------------------------------------------------------------------------------------------------
+  // ---- changing ----
 
   /// Removes the bodies for which `gone(bodies, b)` is true and returns how many there were.
   template <class Predicate>
@@ -149,7 +141,8 @@ public:
     }
     const std::size_t removed = bodies_.size() - kept.size();
     if (removed > 0) {
-      rearrange(kept);
+      lists_.rearrange(kept, bodies_, workers_);
+      bodies_changed();
     }
     return removed;
   }
@@ -163,7 +156,9 @@ public:
         ++count;
       }
     }
-    lists_valid_ = lists_valid_ && count == 0;
+    if (count > 0) {
+      bodies_changed();
+    }
     return count;
   }
   /// Gives body `b` another motion; `w` in space.
@@ -180,8 +175,7 @@ public:
     materials_changed();
   }
 
-  // ---- the time step
-  // -------------------------------------------------------------------------------------------
+  // ---- the time step ----
 
   /// Advances everything by one time step.
   /// \throws Error for a time step above the stable one, a law that lacks a material's constant, or a body
@@ -194,21 +188,19 @@ public:
       check_step();
     }
     const auto t0 = Clock::now();
-    if (!lists_valid_ || lists_outlived() || sort_due()) {
-      renew_lists();
-    }
+    keep_lists();
     const auto t1 = Clock::now();
     // Velocities given at the start stand at the step itself; the first kick takes them half a step on.
     const TimeStep now{time_, dt_, half_kick_ ? 0.5 * dt_ : dt_, setup_.gravity};
-    workers_.for_each(blocks_.size(), [&](std::size_t b) { compute_forces(b); });
+    workers_.for_each(lists_.blocks().size(), [&](std::size_t b) { compute_forces(b); });
     const auto t2 = Clock::now();
-    workers_.for_each(blocks_.size(), [&](std::size_t b) { move(b, now); });
+    workers_.for_each(lists_.blocks().size(), [&](std::size_t b) { move(b, now); });
     const auto t3 = Clock::now();
-    gather(now);
+    const double fastest = gather(now);
     for (WallBody& wall : walls_) {
       std::visit([&](auto& dynamics) { dynamics.advance(wall.motion, wall.load, now); }, wall.dynamics);
     }
-    note_wall_travel();
+    lists_.note_travel(fastest * dt_ * 1.01, wall_speed() * dt_); // 1 %: the arc of a turning member sphere
     half_kick_ = false;
     ++steps_;
     time_ = start_time_ + static_cast<double>(steps_ - start_steps_) * dt_;
@@ -230,18 +222,10 @@ public:
   }
   /// The critical time step of what is there now and the pair or rope that sets it.
   [[nodiscard]] StepLimit step_limit() const {
-    std::vector<Softest> softest_of(materials_.size());
-    for (std::size_t m = 0; m < softest_of.size(); ++m) {
-      softest_of[m] = softest(bodies_, static_cast<MaterialId>(m));
-    }
-    StepLimit limit;
-    limit_by_pairs(softest_of, limit);
-    limit_by_walls(softest_of, limit);
-    return limit;
+    return scree::step_limit(bodies_, walls(), materials_, setup_.contact, setup_.top_speed);
   }
 
-  // ---- observing
-  // -----------------------------------------------------------------------------------------------
+  // ---- observing ----
 
   [[nodiscard]] double time() const { return time_; }
   [[nodiscard]] std::size_t steps() const { return steps_; }
@@ -262,20 +246,21 @@ public:
   }
   [[nodiscard]] const Dissipation& dissipation() const { return lost_; }
   [[nodiscard]] const StepTimes& times() const { return times_; }
-  [[nodiscard]] std::size_t list_renewals() const { return renewals_; }
+  [[nodiscard]] std::size_t list_renewals() const { return lists_.renewals(); }
   /// Pairs on the list, touching or not.
-  [[nodiscard]] std::size_t listed_pairs() const { return pairs_.size(); }
+  [[nodiscard]] std::size_t listed_pairs() const { return lists_.pairs().size(); }
 
   /// Calls `visit(const ContactView&)` for every contact, in a fixed order, as the law gives it for the
   /// present positions. Changes nothing.
   template <class Visit>
   void visit_contacts(Visit visit) const {
-    for (std::size_t i = 0; i < pairs_.row_count(); ++i) {
-      for (std::size_t pair = pairs_.begin_of(i); pair < pairs_.begin_of(i + 1); ++pair) {
+    const auto& pairs = lists_.pairs();
+    for (std::size_t i = 0; i < pairs.row_count(); ++i) {
+      for (std::size_t pair = pairs.begin_of(i); pair < pairs.begin_of(i + 1); ++pair) {
         visit_pair(i, pair, visit);
       }
     }
-    for (const auto& block : wall_blocks_) {
+    for (const auto& block : lists_.wall_blocks()) {
       for (const auto& c : block.contacts) {
         const auto& sphere = bodies_.spheres()[c.sphere];
         const MaterialId of = walls_[c.wall].surfaces[c.surface].material();
@@ -290,8 +275,7 @@ public:
 private:
   using Clock = std::chrono::steady_clock;
 
-  // ---- start and stable step
-  // -----------------------------------------------------------------------------------
+  // ---- start and stable step ----
 
   void start() {
     check_step();
@@ -304,7 +288,12 @@ private:
   void start_wall(WallBody& wall) {
     const TimeStep now{time_, time_step(), dt_, setup_.gravity};
     std::visit([&](auto& dynamics) { dynamics.start(wall.motion, now); }, wall.dynamics);
-    lists_valid_ = false;
+    lists_.invalidate();
+  }
+
+  void bodies_changed() {
+    lists_.invalidate();
+    limit_known_ = false;
   }
 
   void materials_changed() {
@@ -342,242 +331,28 @@ private:
     limit_known_ = true;
   }
 
-  void limit_by_pairs(std::span<const Softest> softest_of, StepLimit& limit) const {
-    const std::size_t n = materials_.size();
-    std::vector<bool> on_wall(n, false);
-    for (const WallBody& wall : walls_) {
-      for (const WallSurface& surface : wall.surfaces) {
-        on_wall[surface.material()] = true;
+  // ---- lists ----
+
+  void keep_lists() {
+    if (lists_.keep_valid(steps_, time_, domain_, bodies_, walls_, workers_)) {
+      block_results_.resize(lists_.blocks().size());
+      for (BlockResult& result : block_results_) {
+        result.walls.resize(walls_.size());
       }
-    }
-    for (std::size_t a = 0; a < n; ++a) {
-      for (std::size_t b = 0; b < n; ++b) {
-        const Softest &p = softest_of[a], &q = softest_of[b];
-        if (p.mobility == 0.0) {
-          continue;
-        }
-        const auto name = [&](std::size_t m) { return materials_.at(static_cast<MaterialId>(m)).name; };
-        if (b >= a && q.mobility > 0.0) {
-          const double radius = p.radius * q.radius / (p.radius + q.radius);
-          const double mass = p.mass * q.mass / (p.mass + q.mass);
-          limit_by_contact(limit, a, b, radius, mass, p.mobility + q.mobility, [&] {
-            return message("a contact of body ", p.body, " ('", name(a), "', ", p.mass, " kg) with body ",
-                           q.body, " ('", name(b), "', ", q.mass, " kg)");
-          });
-        }
-        if (on_wall[b]) {
-          limit_by_contact(limit, a, b, p.radius, p.mass, p.mobility, [&] {
-            return message("a contact of body ", p.body, " ('", name(a), "', ", p.mass,
-                           " kg) with a wall of '", name(b), "'");
-          });
-        }
+      if (walls_give_way()) {
+        check_step(); // a body among many grains is held more stiffly than at the start
       }
     }
   }
 
-  void limit_by_contact(StepLimit& limit, std::size_t a, std::size_t b, double radius, double mass,
-                        double mobility, const auto& who) const {
-    const auto pair = materials_.pair(static_cast<MaterialId>(a), static_cast<MaterialId>(b));
-    const std::string names = message("'", materials_.at(static_cast<MaterialId>(a)).name, "' and '",
-                                      materials_.at(static_cast<MaterialId>(b)).name, "'");
-    setup_.contact.check(pair, names);
-    const ContactStiffness k = setup_.contact.stiffness(pair, radius, mass, setup_.top_speed);
-    const double stiffest = std::max(k.normal, k.shear);
-    const double rate_ratio =
-        stiffest > 0.0
-            ? 0.5 * std::max(pair.normal_damping_rate, pair.shear_damping_rate) * std::sqrt(mass / stiffest)
-            : 0.0;
-    limit.lower_to(critical_step(crowding * stiffest * mobility, pair.damping_ratio + rate_ratio),
-                   [&] { return message(who(), " of ", stiffest, " N/m"); });
-  }
-
-  void limit_by_walls(std::span<const Softest> softest_of, StepLimit& limit) const {
-    for (std::size_t w = 0; w < walls_.size(); ++w) {
-      std::visit(
-          [&](const auto& dynamics) {
-            using D = std::decay_t<decltype(dynamics)>;
-            double squared_frequency = 0.0;
-            std::string cause;
-            if constexpr (IsHeld<D>) {
-              squared_frequency += dynamics.squared_frequency();
-              cause = dynamics.holder();
-            }
-            if constexpr (GivesWay<D>) {
-              if (const std::size_t touching = walls_[w].load.contacts; touching > 0) {
-                const double arm = std::isfinite(wall_extents_[w]) ? wall_extents_[w] : 0.0;
-                squared_frequency += static_cast<double>(touching) * stiffest_on(walls_[w], softest_of) *
-                                     dynamics.mobility(arm);
-                cause += message(cause.empty() ? "" : " and ", touching, " contacts of grains");
-              }
-            }
-            if (squared_frequency > 0.0) {
-              limit.lower_to(critical_step(squared_frequency, 0.0),
-                             [&] { return message("wall '", walls_[w].name, "': ", cause); });
-            }
-          },
-          walls_[w].dynamics);
-    }
-  }
-
-  [[nodiscard]] double stiffest_on(const WallBody& wall, std::span<const Softest> softest_of) const {
+  /// m/s, that no point of any wall exceeds.
+  [[nodiscard]] double wall_speed() const {
     double most = 0.0;
-    for (const WallSurface& surface : wall.surfaces) {
-      for (std::size_t m = 0; m < materials_.size(); ++m) {
-        const Softest& body = softest_of[m];
-        if (body.mobility > 0.0) {
-          const auto pair = materials_.pair(static_cast<MaterialId>(m), surface.material());
-          const ContactStiffness k = setup_.contact.stiffness(pair, body.radius, body.mass, setup_.top_speed);
-          most = std::max({most, k.normal, k.shear});
-        }
-      }
+    for (const WallBody& wall : walls_) {
+      const double spin = wall.motion.angular_velocity.norm();
+      most = std::max(most, wall.motion.velocity.norm() + (spin > 0.0 ? spin * wall.extent() : 0.0));
     }
     return most;
-  }
-
-  // ---- neighbour lists
-  // -----------------------------------------------------------------------------------------
-
-  [[nodiscard]] bool sort_due() const {
-    return setup_.sort_interval > 0 && steps_ % setup_.sort_interval == 0 && steps_ != sorted_at_;
-  }
-
-  /// Whether something may have closed the gap that the lists allow for.
-  bool lists_outlived() {
-    const auto over = [this] { return 2.0 * travel_ > skin_ || travel_ + wall_travel_ > skin_; };
-    if (skin_ == 0.0) {
-      return true;
-    }
-    if (!over()) {
-      return false;
-    }
-    // The sum of the largest speeds overstates how far any one sphere has come: look.
-    double most2 = 0.0;
-    const auto spheres = std::as_const(bodies_).spheres();
-    for (std::size_t s = 0; s < spheres.size(); ++s) {
-      most2 = std::max(most2, squared_norm(spheres[s].position - listed_at_[s]));
-    }
-    travel_ = std::sqrt(most2) * 1.25; // ours: leaves a few steps before the next look
-    return over();
-  }
-
-  void renew_lists() {
-    check_positions();
-    if (domain_.periodic()) {
-      domain_.wrap(bodies_);
-    }
-    if (sort_due() || sorted_at_ == never) {
-      if (setup_.sort_interval > 0) {
-        rearrange(spatial_order(bodies_));
-      }
-      sorted_at_ = steps_;
-    }
-    if (bodies_.sphere_count() > Partner::most) {
-      throw Error(message("bodies: ", bodies_.sphere_count(), " spheres are more than the ", Partner::most,
-                          " that one simulation holds"));
-    }
-    const auto spheres = std::as_const(bodies_).spheres();
-    balls_.resize(spheres.size());
-    double smallest = std::numeric_limits<double>::infinity(), largest = 0.0;
-    for (std::size_t s = 0; s < spheres.size(); ++s) {
-      balls_[s] = {spheres[s].position, spheres[s].radius};
-      smallest = std::min(smallest, spheres[s].radius);
-      largest = std::max(largest, spheres[s].radius);
-    }
-    skin_ = balls_.empty() ? 0.0 : setup_.neighbours.skin(smallest);
-    domain_.add_images(balls_, 2.0 * largest + skin_, images_);
-    setup_.neighbours.find(balls_, spheres.size(), skin_, workers_, candidates_);
-    pairs_.renew(spheres.size(), workers_, [&](std::size_t i, std::vector<Partner>& row) {
-      for (const std::uint32_t k : candidates_.row(i)) {
-        append_partner(i, k, row);
-      }
-    });
-    blocks_ = divided(bodies_, pairs_, slot_count_);
-    slots_.resize(slot_count_);
-    renew_wall_lists();
-    listed_at_.resize(spheres.size());
-    for (std::size_t s = 0; s < spheres.size(); ++s) {
-      listed_at_[s] = spheres[s].position;
-    }
-    travel_ = wall_travel_ = 0.0;
-    lists_valid_ = true;
-    ++renewals_;
-    if (walls_give_way()) {
-      check_step(); // a body among many grains is held more stiffly than at the start
-    }
-  }
-
-  void append_partner(std::size_t i, std::uint32_t k, std::vector<Partner>& row) const {
-    const std::size_t owned = bodies_.sphere_count();
-    const bool image = k >= owned;
-    const std::uint32_t j = image ? images_[k - owned].owner : k;
-    const auto spheres = bodies_.spheres();
-    const bool both_fixed = !(spheres[i].inverse_mass > 0) && !(spheres[j].inverse_mass > 0);
-    if (j > i && bodies_.body_of(i) != bodies_.body_of(j) && !both_fixed) {
-      row.push_back({j & Partner::most, image ? images_[k - owned].image & 31U : Partner::here});
-    }
-  }
-
-  void renew_wall_lists() {
-    // The contacts of all blocks, in the order of the spheres, are dealt out to the new blocks.
-    std::vector<WallContactRecord> contacts;
-    for (const auto& block : wall_blocks_) {
-      contacts.insert(contacts.end(), block.contacts.begin(), block.contacts.end());
-    }
-    wall_blocks_.resize(blocks_.size());
-    block_results_.resize(blocks_.size());
-    workers_.for_each(blocks_.size(), [&](std::size_t b) {
-      find_wall_candidates(blocks_[b], bodies_, std::span<const WallBody>{walls_}, skin_, wall_blocks_[b]);
-      const auto lower = [](const WallContactRecord& c, std::size_t s) { return c.sphere < s; };
-      wall_blocks_[b].contacts.assign(
-          std::lower_bound(contacts.begin(), contacts.end(), blocks_[b].first_sphere, lower),
-          std::lower_bound(contacts.begin(), contacts.end(), blocks_[b].end_sphere, lower));
-      block_results_[b].walls.resize(walls_.size());
-    });
-  }
-
-  /// Puts the bodies of `order` in that order and drops the others; histories follow.
-  void rearrange(std::span<const std::uint32_t> order) {
-    const std::vector<std::uint32_t> moved_to = bodies_.rearrange(order);
-    if (pairs_.row_count() <= moved_to.size()) {
-      pairs_.rearrange(moved_to, bodies_.sphere_count(), Law::history_parity, workers_);
-    }
-    std::vector<WallContactRecord> contacts;
-    for (auto& block : wall_blocks_) {
-      for (auto& contact : block.contacts) {
-        contact.sphere = moved_to[contact.sphere];
-        if (contact.sphere != Bodies<Real>::gone) {
-          contacts.push_back(contact);
-        }
-      }
-      block.contacts.clear();
-    }
-    std::stable_sort(contacts.begin(), contacts.end(),
-                     [](const auto& a, const auto& b) { return a.key() < b.key(); });
-    if (!wall_blocks_.empty()) {
-      wall_blocks_.front().contacts = std::move(contacts);
-    }
-    lists_valid_ = false;
-    limit_known_ = false;
-  }
-
-  void check_positions() const {
-    for (std::size_t b = 0; b < bodies_.size(); ++b) {
-      // Beyond this a cell number would overflow; nothing that scree is for is that large.
-      if (const Vector x = bodies_.position(b); !(x.cwiseAbs().maxCoeff() < 1e9)) {
-        throw Error(message("body ", bodies_.id(b), " has left the domain at t = ", time_, " s: position (",
-                            x.x(), ", ", x.y(), ", ", x.z(), ") m"));
-      }
-    }
-  }
-
-  void note_wall_travel() {
-    double most = 0.0;
-    for (std::size_t w = 0; w < walls_.size(); ++w) {
-      const WallMotion& m = walls_[w].motion;
-      const double spin = m.angular_velocity.norm();
-      most = std::max(most, m.velocity.norm() + (spin > 0.0 ? spin * wall_extents_[w] : 0.0));
-    }
-    wall_travel_ += most * dt_;
   }
 
   [[nodiscard]] bool walls_give_way() const {
@@ -586,8 +361,7 @@ private:
     });
   }
 
-  // ---- forces and motion
-  // ---------------------------------------------------------------------------------------
+  // ---- forces and motion ----
 
   struct BlockResult {
     std::vector<WallSum> walls;
@@ -601,34 +375,35 @@ private:
   }
 
   void compute_forces(std::size_t b) {
-    const Block& block = blocks_[b];
+    const Block& block = lists_.blocks()[b];
     BlockResult& result = block_results_[b];
     const auto forces = bodies_.forces().subspan(block.first_sphere, block.end_sphere - block.first_sphere);
     std::fill(forces.begin(), forces.end(), ForceRecord<Real>{});
     std::fill(result.walls.begin(), result.walls.end(), WallSum{});
     result.lost = {};
     const auto dt = static_cast<Real>(dt_);
-    const std::span<ForceRecord<Real>> slots{slots_};
+    const std::span<ForceRecord<Real>> slots = lists_.slots();
     if (domain_.periodic()) {
       add_pair_forces<true, Model::energy_audit>(block, setup_.contact, pair_material(), domain_, dt, bodies_,
-                                                 pairs_, slots, result.lost);
+                                                 lists_.pairs(), slots, result.lost);
     } else {
       add_pair_forces<false, Model::energy_audit>(block, setup_.contact, pair_material(), domain_, dt,
-                                                  bodies_, pairs_, slots, result.lost);
+                                                  bodies_, lists_.pairs(), slots, result.lost);
     }
     add_wall_forces<Model::energy_audit>(setup_.contact, pair_material(), std::span<const WallBody>{walls_},
-                                         dt, bodies_, wall_blocks_[b], std::span<WallSum>{result.walls},
+                                         dt, bodies_, lists_.wall_block(b), std::span<WallSum>{result.walls},
                                          result.lost);
   }
 
   void move(std::size_t b, const TimeStep& now) {
-    fetch_forces(blocks_[b], std::span<const ForceRecord<Real>>{slots_}, bodies_);
+    const Block& block = lists_.blocks()[b];
+    fetch_forces(block, std::span<const ForceRecord<Real>>{lists_.slots()}, bodies_);
     block_results_[b].fastest = move_bodies<typename Model::Integrator, Model::energy_audit>(
-        blocks_[b], now, setup_.local_damping, bodies_, block_results_[b].lost);
+        block, now, setup_.local_damping, bodies_, block_results_[b].lost);
   }
 
-  /// Sums what the blocks found, in their order.
-  void gather(const TimeStep& now) {
+  /// Sums what the blocks found, in their order. Returns the largest speed of a sphere [m/s].
+  double gather(const TimeStep& now) {
     for (WallBody& wall : walls_) {
       wall.load.force.setZero();
       wall.load.moment.setZero();
@@ -654,8 +429,7 @@ private:
           (wall.load.force.dot(wall.motion.velocity) + wall.load.moment.dot(wall.motion.angular_velocity)) *
           dt_;
     }
-    // A hair more, for the arc that a turning member sphere takes.
-    travel_ += fastest * dt_ * 1.01;
+    return fastest;
   }
 
   [[noreturn]] void report_runaway() const {
@@ -668,8 +442,7 @@ private:
     throw Error(message("a velocity is not a number at t = ", time_, " s"));
   }
 
-  // ---- observing
-  // -----------------------------------------------------------------------------------------------
+  // ---- observing ----
 
   template <class History>
   [[nodiscard]] double energy_of(const PairMaterial<double>& pair, double reduced_radius, double overlap,
@@ -681,7 +454,7 @@ private:
 
   template <class Visit>
   void visit_pair(std::size_t i, std::size_t pair, Visit& visit) const {
-    const Partner partner = pairs_.partner(pair);
+    const Partner partner = lists_.pairs().partner(pair);
     const auto &own = bodies_.spheres()[i], &other = bodies_.spheres()[partner.sphere];
     const Vec3<double> apart = own.position - other.position - domain_.shift(partner.image);
     const double d2 = squared_norm(apart), reach = own.radius + other.radius;
@@ -689,7 +462,7 @@ private:
       return;
     }
     const Touch<Real> touch = touch_of(own, other, apart, d2, Real{0});
-    auto history = pairs_.history(pair);
+    auto history = lists_.pairs().history(pair);
     const auto& constants = pair_material()(own.material, other.material);
     const ContactForce<Real> f = setup_.contact.evaluate(constants, touch.kinematics, history);
     const Vector normal = to_eigen(touch.kinematics.normal);
@@ -702,8 +475,6 @@ private:
                       to_eigen(touch.kinematics.normal * f.normal + f.tangential), energy});
   }
 
-  static constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
-
   Setup<Model> setup_;
   MaterialTable materials_;
   std::vector<PairMaterial<Real>> pair_materials_;
@@ -711,22 +482,9 @@ private:
   Workers workers_;
 
   Bodies<Real> bodies_;
-  PairList<Real, Law::history_size> pairs_;
   std::vector<WallBody> walls_;
-  std::vector<double> wall_extents_;
-
-  std::vector<Ball> balls_;
-  std::vector<Domain::Image> images_;
-  CandidateRows candidates_;
-  std::vector<Block> blocks_;
-  std::vector<WallBlock<Real, Law::history_size>> wall_blocks_;
+  ContactLists<Real, Law, typename Model::Neighbours, WallBody> lists_;
   std::vector<BlockResult> block_results_;
-  std::vector<ForceRecord<Real>> slots_;
-  std::size_t slot_count_ = 0;
-  std::vector<Vec3<double>> listed_at_;
-  double skin_ = 0.0, travel_ = 0.0, wall_travel_ = 0.0;
-  bool lists_valid_ = false;
-  std::size_t sorted_at_ = never, renewals_ = 0;
 
   double time_ = 0.0, start_time_ = 0.0, dt_ = 0.0;
   std::size_t steps_ = 0, start_steps_ = 0;

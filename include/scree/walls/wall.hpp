@@ -10,8 +10,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
+#include <span>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -22,9 +25,12 @@ namespace scree {
 class WallSurface {
 public:
   WallSurface(const Plane& plane, MaterialId of) : shape_{checked(plane)}, material_{of} {}
-  WallSurface(const Cylinder& cylinder, MaterialId of) : shape_{checked(cylinder)}, material_{of} {}
+  WallSurface(const Cylinder& cylinder, MaterialId of)
+      : shape_{checked(cylinder)}, material_{of}, extent_{extent_of(std::get<Cylinder>(shape_))} {}
   WallSurface(TriangleMesh mesh, MaterialId of)
-      : shape_{std::make_shared<const MeshSurface>(std::move(mesh))}, material_{of} {}
+      : shape_{std::make_shared<const MeshSurface>(std::move(mesh))},
+        material_{of},
+        extent_{extent_of(this->mesh()->mesh())} {}
 
   [[nodiscard]] MaterialId material() const { return material_; }
 
@@ -57,25 +63,24 @@ public:
   }
 
   /// m, of the farthest point from the origin of the wall's frame; infinite for a plane.
-  [[nodiscard]] double extent() const {
-    if (const auto* mesh = this->mesh()) {
-      double most = 0.0;
-      for (const Vector& v : mesh->mesh().vertices) {
-        most = std::max(most, v.norm());
-      }
-      return most;
-    }
-    if (const auto* tube = std::get_if<Cylinder>(&shape_)) {
-      const double end =
-          std::isinf(tube->length) ? tube->length : (tube->base + tube->length * tube->axis).norm();
-      return std::max(tube->base.norm(), end) + tube->radius;
-    }
-    return std::numeric_limits<double>::infinity();
-  }
+  [[nodiscard]] double extent() const { return extent_; }
 
 private:
+  static double extent_of(const TriangleMesh& mesh) {
+    double most = 0.0;
+    for (const Vector& v : mesh.vertices) {
+      most = std::max(most, v.norm());
+    }
+    return most;
+  }
+  static double extent_of(const Cylinder& tube) {
+    const double end = std::isinf(tube.length) ? tube.length : (tube.base + tube.length * tube.axis).norm();
+    return std::max(tube.base.norm(), end) + tube.radius;
+  }
+
   std::variant<Plane, Cylinder, std::shared_ptr<const MeshSurface>> shape_;
   MaterialId material_;
+  double extent_ = std::numeric_limits<double>::infinity();
 };
 
 /// Surfaces with one motion and one way of being moved.
@@ -86,12 +91,41 @@ struct Wall {
   Dynamics dynamics;
   WallMotion motion{};
   WallLoad load{};
+
+  /// m, of its farthest point from the origin of its frame.
+  [[nodiscard]] double extent() const {
+    double most = 0.0;
+    for (const WallSurface& surface : surfaces) {
+      most = std::max(most, surface.extent());
+    }
+    return most;
+  }
 };
 
 /// The kinds of wall dynamics that a model allows, e.g. `Walls<Fixed, RopeCoupled>`.
 template <class... Dynamics>
 struct Walls {
-  using Any = std::variant<Dynamics...>;
+  /// A dynamics of one of these kinds. Refuses any other by name, also a type derived from one of them, of
+  /// which a bare variant would keep only the base.
+  class Any : public std::variant<Dynamics...> {
+  public:
+    Any() = default;
+    template <class D>
+    requires(!std::is_base_of_v<Any, D>)
+        // NOLINTNEXTLINE(google-explicit-constructor): as the variant itself
+        Any(D dynamics)
+        : std::variant<Dynamics...>{listed(std::move(dynamics))} {}
+
+  private:
+    template <class D>
+    static std::variant<Dynamics...> listed(D dynamics) {
+      constexpr bool is_listed = (std::is_same_v<D, Dynamics> || ...);
+      static_assert(is_listed, "scree: Model::Walls does not list this wall dynamics (walls/wall.hpp)");
+      if constexpr (is_listed) {
+        return dynamics;
+      }
+    }
+  };
 };
 
 } // namespace scree

@@ -1,0 +1,200 @@
+#pragma once
+/// \file
+/// Who may touch whom: pairs, wall candidates and blocks, and when they must be found anew.
+
+#include "scree/core/error.hpp"
+#include "scree/simulation/domain.hpp"
+#include "scree/simulation/spatial_order.hpp"
+#include "scree/simulation/wall_contacts.hpp"
+#include "scree/state/blocks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace scree {
+
+/// Lists with the histories of all contacts. They hold as long as nothing has moved further than half of the
+/// search's skin; everything that makes them anew is here.
+template <class Real, ContactLaw Law, NeighbourSearch Search, class AnyWall>
+class ContactLists {
+public:
+  static constexpr int history_size = Law::history_size;
+  using Pairs = PairList<Real, history_size>;
+  using OneWallBlock = WallBlock<Real, history_size>;
+
+  ContactLists(Search search, std::size_t sort_interval)
+      : search_{std::move(search)}, sort_interval_{sort_interval} {}
+
+  [[nodiscard]] const Pairs& pairs() const { return pairs_; }
+  [[nodiscard]] Pairs& pairs() { return pairs_; }
+  [[nodiscard]] std::span<const Block> blocks() const { return blocks_; }
+  [[nodiscard]] std::span<const OneWallBlock> wall_blocks() const { return wall_blocks_; }
+  [[nodiscard]] OneWallBlock& wall_block(std::size_t b) { return wall_blocks_[b]; }
+  [[nodiscard]] std::span<ForceRecord<Real>> slots() { return slots_; }
+  [[nodiscard]] std::size_t renewals() const { return renewals_; }
+
+  /// Says that bodies, walls or what is fixed have changed.
+  void invalidate() { valid_ = false; }
+
+  /// Says how far grains and walls can have come in one step [m].
+  void note_travel(double grains, double walls) {
+    travel_ += grains;
+    wall_travel_ += walls;
+  }
+
+  /// Makes the lists anew where they may no longer hold. Returns whether it did.
+  /// \throws Error for a body whose position is not a number or out of all bounds, with `time` [s].
+  bool keep_valid(std::size_t step, double time, const Domain& domain, Bodies<Real>& bodies,
+                  std::span<const AnyWall> walls, Workers& workers) {
+    const bool sort = sort_due(step);
+    if (valid_ && !sort && !outlived(bodies)) {
+      return false;
+    }
+    check_positions(bodies, time);
+    domain.wrap(bodies);
+    if (sort) {
+      rearrange(spatial_order(bodies), bodies, workers);
+      sorted_at_ = step;
+    }
+    renew_pairs(domain, bodies, workers);
+    blocks_ = divided(bodies, pairs_, slot_count_);
+    slots_.resize(slot_count_);
+    renew_wall_candidates(bodies, walls, workers);
+    listed_at_.resize(bodies.sphere_count());
+    for (std::size_t s = 0; s < listed_at_.size(); ++s) {
+      listed_at_[s] = bodies.spheres()[s].position;
+    }
+    travel_ = wall_travel_ = 0.0;
+    valid_ = true;
+    ++renewals_;
+    return true;
+  }
+
+  /// Puts the bodies of `order` in that order and drops the others; histories follow. The lists are no longer
+  /// valid.
+  void rearrange(std::span<const std::uint32_t> order, Bodies<Real>& bodies, Workers& workers) {
+    const std::vector<std::uint32_t> moved_to = bodies.rearrange(order);
+    pairs_.rearrange(moved_to, bodies.sphere_count(), Law::history_parity, workers);
+    std::vector<WallContact<Real, history_size>> contacts;
+    for (OneWallBlock& block : wall_blocks_) {
+      for (auto& contact : block.contacts) {
+        contact.sphere = moved_to[contact.sphere];
+        if (contact.sphere != Bodies<Real>::gone) {
+          contacts.push_back(contact);
+        }
+      }
+      block.contacts.clear();
+    }
+    std::stable_sort(contacts.begin(), contacts.end(),
+                     [](const auto& a, const auto& b) { return a.key() < b.key(); });
+    if (!wall_blocks_.empty()) {
+      wall_blocks_.front().contacts = std::move(contacts);
+    }
+    valid_ = false;
+  }
+
+private:
+  static constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
+
+  [[nodiscard]] bool sort_due(std::size_t step) const {
+    return sort_interval_ > 0 && (sorted_at_ == never || (step % sort_interval_ == 0 && step != sorted_at_));
+  }
+
+  static void check_positions(const Bodies<Real>& bodies, double time) {
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+      // Beyond this a cell number would overflow; nothing that scree is for is that large.
+      if (const Vector x = bodies.position(b); !(x.cwiseAbs().maxCoeff() < 1e9)) {
+        throw Error(message("body ", bodies.id(b), " has left the domain at t = ", time, " s: position (",
+                            x.x(), ", ", x.y(), ", ", x.z(), ") m"));
+      }
+    }
+  }
+
+  /// Whether something may have closed the gap that the lists allow for.
+  bool outlived(const Bodies<Real>& bodies) {
+    const auto over = [this] { return 2.0 * travel_ > skin_ || travel_ + wall_travel_ > skin_; };
+    if (skin_ == 0.0 || !over()) {
+      return skin_ == 0.0;
+    }
+    // The sum of the largest speeds overstates how far any one sphere has come: look.
+    double most2 = 0.0;
+    for (std::size_t s = 0; s < listed_at_.size(); ++s) {
+      most2 = std::max(most2, squared_norm(bodies.spheres()[s].position - listed_at_[s]));
+    }
+    travel_ = std::sqrt(most2) * 1.25; // ours: leaves a few steps before the next look
+    return over();
+  }
+
+  void renew_pairs(const Domain& domain, const Bodies<Real>& bodies, Workers& workers) {
+    const auto spheres = bodies.spheres();
+    if (spheres.size() > Partner::most) {
+      throw Error(message("bodies: ", spheres.size(), " spheres are more than the ", Partner::most,
+                          " that one simulation holds"));
+    }
+    balls_.resize(spheres.size());
+    double smallest = std::numeric_limits<double>::infinity(), largest = 0.0;
+    for (std::size_t s = 0; s < spheres.size(); ++s) {
+      balls_[s] = {spheres[s].position, spheres[s].radius};
+      smallest = std::min(smallest, spheres[s].radius);
+      largest = std::max(largest, spheres[s].radius);
+    }
+    skin_ = balls_.empty() ? 0.0 : search_.skin(smallest);
+    domain.add_images(balls_, 2.0 * largest + skin_, images_);
+    search_.find(balls_, spheres.size(), skin_, workers, candidates_);
+    pairs_.renew(spheres.size(), workers, [&](std::size_t i, std::vector<Partner>& row) {
+      for (const std::uint32_t k : candidates_.row(i)) {
+        append_partner(bodies, i, k, row);
+      }
+    });
+  }
+
+  /// Members of one body do not touch, nor do two fixed bodies.
+  void append_partner(const Bodies<Real>& bodies, std::size_t i, std::uint32_t k,
+                      std::vector<Partner>& row) const {
+    const std::size_t owned = bodies.sphere_count();
+    const bool image = k >= owned;
+    const std::uint32_t j = image ? images_[k - owned].owner : k;
+    const auto spheres = bodies.spheres();
+    const bool both_fixed = !(spheres[i].inverse_mass > 0) && !(spheres[j].inverse_mass > 0);
+    if (j > i && bodies.body_of(i) != bodies.body_of(j) && !both_fixed) {
+      row.push_back({j & Partner::most, image ? images_[k - owned].image & 31U : Partner::here});
+    }
+  }
+
+  void renew_wall_candidates(const Bodies<Real>& bodies, std::span<const AnyWall> walls, Workers& workers) {
+    // The contacts of all blocks, in the order of the spheres, are dealt out to the new blocks.
+    std::vector<WallContact<Real, history_size>> contacts;
+    for (const OneWallBlock& block : wall_blocks_) {
+      contacts.insert(contacts.end(), block.contacts.begin(), block.contacts.end());
+    }
+    wall_blocks_.resize(blocks_.size());
+    workers.for_each(blocks_.size(), [&](std::size_t b) {
+      find_wall_candidates(blocks_[b], bodies, walls, skin_, wall_blocks_[b]);
+      const auto before = [](const auto& contact, std::size_t s) { return contact.sphere < s; };
+      wall_blocks_[b].contacts.assign(
+          std::lower_bound(contacts.begin(), contacts.end(), blocks_[b].first_sphere, before),
+          std::lower_bound(contacts.begin(), contacts.end(), blocks_[b].end_sphere, before));
+    });
+  }
+
+  Search search_;
+  std::size_t sort_interval_;
+  std::vector<Ball> balls_;
+  std::vector<Domain::Image> images_;
+  CandidateRows candidates_;
+  Pairs pairs_;
+  std::vector<Block> blocks_;
+  std::vector<OneWallBlock> wall_blocks_;
+  std::vector<ForceRecord<Real>> slots_;
+  std::size_t slot_count_ = 0;
+  std::vector<Vec3<double>> listed_at_;
+  double skin_ = 0.0, travel_ = 0.0, wall_travel_ = 0.0;
+  bool valid_ = false;
+  std::size_t sorted_at_ = never, renewals_ = 0;
+};
+
+} // namespace scree
