@@ -8,16 +8,19 @@
 #include "scree/io/number_text.hpp"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <toml++/toml.h>
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <filesystem>
-#include <limits>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -94,6 +97,7 @@ public:
     app.set_help_flag("-h,--help", "print this help and exit");
     std::string file;
     app.add_option("--config", file, "TOML file with any of the parameters below")->type_name("FILE.toml");
+    app.allow_extras(); // refused below, in our words
     std::deque<std::string> given(entries_.size());
     for (std::size_t k = 0; k < entries_.size(); ++k) {
       const Entry& e = entries_[k];
@@ -104,7 +108,16 @@ public:
     } catch (const CLI::CallForHelp&) {
       throw HelpWanted{app.help()};
     } catch (const CLI::ParseError& error) {
-      throw Error(message("command line: ", error.what(), nearest_hint(error.what())));
+      throw Error(message("command line: ", error.what()));
+    }
+    if (const auto extra = app.remaining(); !extra.empty()) {
+      const auto dashed = std::find_if(extra.begin(), extra.end(),
+                                       [](const std::string& word) { return word.substr(0, 2) == "--"; });
+      if (dashed == extra.end()) {
+        throw Error(message("command line: '", extra.front(), "' belongs to no parameter"));
+      }
+      const std::string name = dashed->substr(2, dashed->find('=') - 2);
+      throw Error(message("command line: there is no parameter '", name, "'", hint(name)));
     }
     if (!file.empty()) {
       read(file);
@@ -203,14 +216,11 @@ private:
     [[nodiscard]] std::string described() const {
       std::string out = message(doc, " [", text().empty() ? "none" : text());
       if (value.index() < 2 || value.index() == 4) {
-        out += message("; ", limit(range.least), " to ", limit(range.most));
+        out += std::abs(range.most) >= 1e15 ? message("; ", range.least, " or more")
+                                            : message("; ", range.least, " to ", range.most);
       }
       return out + (from == Provenance::paper ? "; paper]" : "; ours]");
     }
-    static std::string limit(double value) {
-      return std::abs(value) >= 1e15 ? (value < 0 ? "any" : "any") : message(value);
-    }
-
     [[nodiscard]] std::string table() const {
       const auto dot = name.rfind('.');
       return dot == std::string::npos ? "" : name.substr(0, dot);
@@ -235,7 +245,11 @@ private:
     static std::string escaped(const std::string& text) {
       std::string out;
       for (const char c : text) {
-        out += c == '"' || c == '\\' ? std::string{'\\', c} : std::string{c};
+        if (const auto code = static_cast<unsigned char>(c); code < 32 || code == 127) {
+          out += fmt::format("\\u{:04x}", code);
+        } else {
+          out += c == '"' || c == '\\' ? std::string{'\\', c} : std::string{c};
+        }
       }
       return out;
     }
@@ -333,6 +347,9 @@ private:
     }
 
     static std::string text_of(const toml::node& node) {
+      if (node.is_table()) {
+        return "a table";
+      }
       std::ostringstream shown;
       node.visit([&](const auto& n) { shown << n; });
       return shown.str();
@@ -351,8 +368,16 @@ private:
     if (!std::filesystem::is_regular_file(file)) {
       throw Error(message(file, ": cannot be read: no such file"));
     }
+    constexpr std::uintmax_t most = std::uintmax_t{1} << 20U;
+    if (std::filesystem::file_size(file) > most) {
+      throw file_error(file, 1, message("the file is larger than ", most, " bytes"));
+    }
     try {
-      return toml::parse_file(file);
+      toml::table table = toml::parse_file(file);
+      if (table.empty()) {
+        throw file_error(file, 1, "the file holds no parameter");
+      }
+      return table;
     } catch (const toml::parse_error& error) {
       throw file_error(file, error.source().begin.line, error.description());
     }
@@ -364,8 +389,12 @@ private:
     for (const auto& [key, node] : table) {
       const std::string name = prefix + std::string{key.str()};
       const auto line = node.source().begin.line;
-      if (const toml::table* nested = node.as_table()) {
-        read_table(*nested, name + ".", file);
+      const std::string inside = name + ".";
+      const bool group = std::any_of(entries_.begin(), entries_.end(), [&](const Entry& e) {
+        return e.name.substr(0, inside.size()) == inside;
+      });
+      if (const toml::table* nested = node.as_table(); nested != nullptr && group) {
+        read_table(*nested, inside, file);
         continue;
       }
       const auto entry =
@@ -379,7 +408,7 @@ private:
 
   /// The known name that is nearest in letters, as a hint.
   [[nodiscard]] std::string hint(const std::string& name) const {
-    std::size_t least = name.size() / 2 + 2;
+    std::size_t least = name.size() / 3 + 2;
     std::string nearest;
     for (const Entry& e : entries_) {
       if (const std::size_t d = distance(name, e.name); d < least) {
@@ -388,16 +417,6 @@ private:
       }
     }
     return nearest.empty() ? "" : message("; did you mean '", nearest, "'?");
-  }
-
-  [[nodiscard]] std::string nearest_hint(std::string_view error) const {
-    const auto dashes = error.find("--");
-    if (dashes == std::string_view::npos) {
-      return "";
-    }
-    const auto end = error.find_first_of(" =,", dashes);
-    return hint(
-        std::string{error.substr(dashes + 2, end == std::string_view::npos ? end : end - dashes - 2)});
   }
 
   /// Edit distance (Levenshtein).
@@ -416,7 +435,8 @@ private:
     return row.back();
   }
 
-  std::string program_, brief_, group_;
+  std::string program_, brief_;
+  std::string group_ = "run"; // CLI11 hides what has no heading
   std::vector<Entry> entries_;
 };
 

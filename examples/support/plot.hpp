@@ -7,9 +7,13 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <cstddef>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
+#include <string_view>
+#include <system_error>
 #include <vector>
 
 namespace scree::examples {
@@ -35,48 +39,68 @@ struct Panel {
   std::vector<StatedPoint> points{};
 };
 
-/// The gnuplot script that draws `panels` one below the other into `name`.svg and `name`.png.
+namespace detail {
+
+/// A text as gnuplot reads it between single quotes.
+inline std::string gnuplot_text(std::string_view text) {
+  std::string out = "'";
+  for (const char c : text) {
+    out += c == '\'' ? "''" : std::string{c};
+  }
+  return out + "'";
+}
+
+/// The commands that draw one panel.
+inline std::string panel_commands(const Panel& panel) {
+  // Blue, vermilion, green and purple of Okabe & Ito (2008), which colour-blind readers tell apart.
+  static constexpr std::array<const char*, 4> colours{"#0072b2", "#d55e00", "#009e73", "#cc79a7"};
+  std::string out = fmt::format("set title {}\nset xlabel {}\nset ylabel {}\n", gnuplot_text(panel.title),
+                                gnuplot_text(panel.x_label), gnuplot_text(panel.y_label));
+  std::string parts, data;
+  for (std::size_t n = 0; n < panel.curves.size(); ++n) {
+    const Curve& c = panel.curves[n];
+    parts += fmt::format("{} {} using (column({})):(column({})*{}) with lines lw 1.8 lc rgb '{}' title {}",
+                         parts.empty() ? "plot" : ",", gnuplot_text(c.file.string()), gnuplot_text(c.x),
+                         gnuplot_text(c.y), c.factor, colours[n % colours.size()], gnuplot_text(c.title));
+  }
+  for (const StatedPoint& p : panel.points) {
+    parts += fmt::format("{} '-' using 1:2 with points pt {} ps 1.5 lw 2 lc rgb '{}' title {}",
+                         parts.empty() ? "plot" : ",", p.kind == 0 ? 7 : 8,
+                         p.kind == 0 ? "#222222" : "#d55e00", gnuplot_text(p.label));
+    data += fmt::format("{},{}\ne\n", p.x, p.y);
+  }
+  return out + parts + "\n" + data;
+}
+
+} // namespace detail
+
+/// The gnuplot script that draws `panels`, two to a row, into `name`.svg and `name`.png.
 inline std::string plot_script(const std::string& name, const std::string& title,
                                const std::vector<Panel>& panels) {
-  const auto quoted = [](const std::string& text) {
-    std::string out = "'";
-    for (const char c : text) {
-      out += c == '\'' ? "''" : std::string{c};
-    }
-    return out + "'";
-  };
-  std::string body =
-      fmt::format("set multiplot layout {},1 title {} font ',14'\n", panels.size(), quoted(title));
-  body += "set datafile separator ','\nset datafile commentschars '#'\nset grid lc rgb '#d8d8d8'\n"
-          "set key outside right top width 1 samplen 2\nset border 3\nset tics nomirror\nset lmargin 11\nset "
-          "rmargin 30\n";
-  static constexpr const char* colours[] = {"#1b6ca8", "#c44536", "#5c8a3a", "#8a5a9e"};
+  const std::size_t columns = panels.size() > 1 ? 2 : 1;
+  const std::size_t rows = (panels.size() + columns - 1) / columns;
+  // Room at the upper and right end of the axes keeps points off the frame; legends stand below the panels.
+  std::string body = fmt::format(
+      "set encoding utf8\nset multiplot layout {},{} title {} font ',15'\n"
+      "set datafile separator ','\nset datafile commentschars '#'\n"
+      "set border 3 lc rgb '#404040'\nset tics nomirror out scale 0.6\n"
+      "set grid lt 1 lw 0.6 lc rgb '#dddddd'\nset autoscale noextend\nset offsets graph 0, graph 0.02, graph "
+      "0.07, graph 0.05\n"
+      "set key at graph 0, graph -0.24 left top Left reverse vertical maxrows 3 samplen 2 width 2\n"
+      "set lmargin 10\nset rmargin 3\nset bmargin 7.5\n",
+      rows, columns, detail::gnuplot_text(title));
   for (const Panel& panel : panels) {
-    body += fmt::format("set title {}\nset xlabel {}\nset ylabel {}\n", quoted(panel.title),
-                        quoted(panel.x_label), quoted(panel.y_label));
-    std::string parts, data;
-    std::size_t n = 0;
-    for (const Curve& c : panel.curves) {
-      parts += fmt::format("{} {} using (column({})):(column({})*{}) with lines lw 2 lc rgb '{}' title {}",
-                           parts.empty() ? "plot" : ",", quoted(c.file.string()), quoted(c.x), quoted(c.y),
-                           c.factor, colours[n++ % 4], quoted(c.title));
-    }
-    for (const StatedPoint& p : panel.points) {
-      parts += fmt::format("{} '-' using 1:2 with points pt {} ps 1.6 lw 2 lc rgb '{}' title {}",
-                           parts.empty() ? "plot" : ",", p.kind == 0 ? 7 : 8,
-                           p.kind == 0 ? "#222222" : "#d08b2c", quoted(p.label));
-      data += fmt::format("{},{}\ne\n", p.x, p.y);
-    }
-    body += parts + "\n" + data;
+    body += detail::panel_commands(panel);
   }
   body += "unset multiplot\n";
-  const std::size_t height = 300 * panels.size() + 40;
-  return fmt::format(
-      "# Drawn by gnuplot from the tables beside it.\n"
-      "set terminal svg size 1000,{0} font 'sans,12' background 'white'\nset output '{1}.svg'\n{2}"
-      "set output\nreset\n"
-      "set terminal pngcairo size 1000,{0} font 'sans,11'\nset output '{1}.png'\n{2}set output\n",
-      height, name, body);
+  const std::size_t width = 700 * columns;
+  const std::size_t height = 430 * rows + 50;
+  return fmt::format("# Drawn by gnuplot from the tables beside it.\n"
+                     "set terminal svg noenhanced size {0},{1} font 'sans,13' background 'white'\n"
+                     "set output '{2}.svg'\n{3}set output\nreset\n"
+                     "set terminal pngcairo noenhanced size {0},{1} font 'sans,11'\n"
+                     "set output '{2}.png'\n{3}set output\n",
+                     width, height, name, body);
 }
 
 /// Writes `name`.gp into `folder` and has gnuplot draw `name`.svg and `name`.png there. Where that fails the

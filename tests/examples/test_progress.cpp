@@ -1,0 +1,63 @@
+#include "support/progress.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cstdio>
+#include <memory>
+#include <string>
+
+using namespace scree::examples;
+
+namespace {
+
+struct Closer {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using File = std::unique_ptr<std::FILE, Closer>;
+
+std::string content_of(std::FILE* file) {
+  std::string text;
+  std::rewind(file);
+  for (int c = std::fgetc(file); c != EOF; c = std::fgetc(file)) {
+    text += static_cast<char>(c);
+  }
+  return text;
+}
+
+} // namespace
+
+TEST_CASE("times are read as on a clock") {
+  CHECK(clock_text(0.0) == "0:00");
+  CHECK(clock_text(59.4) == "0:59");
+  CHECK(clock_text(59.6) == "1:00");
+  CHECK(clock_text(3599.9) == "1:00:00");
+  CHECK(clock_text(3723.0) == "1:02:03");
+  CHECK(clock_text(-5.0) == "0:00");
+}
+
+TEST_CASE("the end is estimated from the mean rate") {
+  CHECK(Progress::line(0.25, "drag 0.25 m", 60.0) == " 25 %  drag 0.25 m  1:00 elapsed, about 3:00 left");
+  CHECK_MESSAGE(Progress::line(0.001, "bed", 1.0) == "  0 %  bed  0:01 elapsed", "too early to tell");
+  CHECK(Progress::line(1.0, "done", 240.0) == "100 %  done  4:00 elapsed");
+  CHECK(Progress::line(1.7, "done", 240.0) == "100 %  done  4:00 elapsed");
+}
+
+TEST_CASE("away from a terminal a line appears every ten seconds, and at once when wanted") {
+  const File file{std::tmpfile()};
+  REQUIRE(file);
+  double time = 1000.0;
+  {
+    Progress progress{file.get(), [&time] { return time; }};
+    progress(0.0, "start");
+    for (int k = 1; k <= 25; ++k) {
+      time = 1000.0 + k;
+      progress(k / 25.0, "step " + std::to_string(k));
+    }
+    progress(1.0, "end", true);
+    CHECK(progress.elapsed() == 25.0);
+  }
+  CHECK(content_of(file.get()) == "  0 %  start  0:00 elapsed\n"
+                                  " 40 %  step 10  0:10 elapsed, about 0:15 left\n"
+                                  " 80 %  step 20  0:20 elapsed, about 0:05 left\n"
+                                  "100 %  end  0:25 elapsed\n");
+}
