@@ -17,6 +17,9 @@ function(scree_own_target target)
   target_link_libraries(${target} PRIVATE scree::scree)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
+  # No program here reads errno after a root or traps on floating-point flags. Without these two, GCC spares the
+  # select() of the contact laws its branch-free form: a third of the time of a step. No result changes.
+  target_compile_options(${target} PRIVATE -fno-math-errno -fno-trapping-math)
   # Boost's own headers include deprecated ones of Boost, and would say so in every file.
   target_compile_definitions(${target} PRIVATE BOOST_ALLOW_DEPRECATED_HEADERS)
   if(SCREE_WARNINGS_AS_ERRORS)
