@@ -81,7 +81,7 @@ inline std::string plot_script(const std::string& name, const std::string& title
   const std::size_t rows = (panels.size() + columns - 1) / columns;
   // Room at the upper and right end of the axes keeps points off the frame; legends stand below the panels.
   std::string body = fmt::format(
-      "set encoding utf8\nset multiplot layout {},{} title {} font ',15'\n"
+      "set encoding utf8\nset multiplot layout {},{} title {} font ',14'\n"
       "set datafile separator ','\nset datafile commentschars '#'\n"
       "set border 3 lc rgb '#404040'\nset tics nomirror out scale 0.6\n"
       "set grid lt 1 lw 0.6 lc rgb '#dddddd'\nset autoscale noextend\nset offsets graph 0, graph 0.02, graph "
@@ -93,7 +93,7 @@ inline std::string plot_script(const std::string& name, const std::string& title
     body += detail::panel_commands(panel);
   }
   body += "unset multiplot\n";
-  const std::size_t width = 700 * columns;
+  const std::size_t width = columns == 1 ? 900 : 1400;
   const std::size_t height = 430 * rows + 50;
   return fmt::format("# Drawn by gnuplot from the tables beside it.\n"
                      "set terminal svg noenhanced size {0},{1} font 'sans,13' background 'white'\n"

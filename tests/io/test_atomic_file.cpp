@@ -36,7 +36,8 @@ TEST_CASE("a file is replaced as a whole") {
 TEST_CASE("a replacement that fails leaves what was there") {
   const ScratchFolder folder;
   const auto nowhere = folder / "missing" / "x";
-  CHECK_THROWS_WITH_AS(write_atomically(nowhere, "x"), (nowhere.string() + ": cannot be written").c_str(), Error);
+  CHECK_THROWS_WITH_AS(write_atomically(nowhere, "x"), (nowhere.string() + ": cannot be written").c_str(),
+                       Error);
 
   const auto taken = folder / "taken"; // a folder that holds a file cannot be replaced by a file
   std::filesystem::create_directory(taken);

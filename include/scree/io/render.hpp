@@ -141,10 +141,10 @@ public:
   /// The picture of all that was drawn.
   [[nodiscard]] Image image() const {
     Image image = blank_;
-    const double reach = hollow_reach();
+    const auto hollows = smoothed_hollows();
     for (int y = 0; y < image.height(); ++y) {
       for (int x = 0; x < image.width(); ++x) {
-        const double open = 1.0 - style_.hollow_strength * hollow(x, y, reach);
+        const double open = 1.0 - style_.hollow_strength * hollows[pixel_index(x, y)];
         std::array<double, 3> sum{};
         for (int sub = 0; sub < samples_ * samples_; ++sub) {
           const auto colour = shaded(x * samples_ + sub % samples_, y * samples_ + sub / samples_, open);
@@ -376,33 +376,69 @@ private:
     return sphere_count_ > 0 ? radius_sum_ / static_cast<double>(sphere_count_) : 20.0 / pixels_per_metre();
   }
 
+  [[nodiscard]] std::size_t pixel_index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(blank_.width()) +
+           static_cast<std::size_t>(x);
+  }
+  /// The sample that stands for a pixel where one is enough.
+  [[nodiscard]] const Fragment& middle(int pixel_x, int pixel_y) const {
+    return at(pixel_x * samples_ + samples_ / 2, pixel_y * samples_ + samples_ / 2);
+  }
+
+  /// How far each pixel lies in a hollow, 0 to 1. `hollow` looks into other directions at each pixel of a
+  /// tile; the mean over a tile then has the smoothness of many directions at the price of a few.
+  [[nodiscard]] std::vector<float> smoothed_hollows() const {
+    std::vector<float> raw(blank_.pixels().size(), 0.0F);
+    if (style_.hollow_strength == 0.0) {
+      return raw;
+    }
+    const double reach = hollow_reach();
+    for (int y = 0; y < blank_.height(); ++y) {
+      for (int x = 0; x < blank_.width(); ++x) {
+        raw[pixel_index(x, y)] = static_cast<float>(hollow(x, y, reach));
+      }
+    }
+    auto smooth = raw;
+    for (int y = 0; y < blank_.height(); ++y) {
+      for (int x = 0; x < blank_.width(); ++x) {
+        const auto& here = middle(x, y);
+        float sum = 0.0F;
+        float count = 0.0F;
+        for (int ny = std::max(0, y - tile / 2); ny < std::min(y + tile / 2, blank_.height()); ++ny) {
+          for (int nx = std::max(0, x - tile / 2); nx < std::min(x + tile / 2, blank_.width()); ++nx) {
+            // Only over the same surface, so that the darkness of a gap does not leak onto the grain before
+            // it.
+            if (const auto& there = middle(nx, ny); there.object == here.object && there.kind == here.kind) {
+              sum += raw[pixel_index(nx, ny)];
+              count += 1.0F;
+            }
+          }
+        }
+        smooth[pixel_index(x, y)] = sum / count;
+      }
+    }
+    return smooth;
+  }
+
   /// How much neighbours close off the surface seen at a pixel, 0 to 1: the mean rise of the surroundings
-  /// above its tangent plane (after the horizon-based ambient occlusion of Bavoil, Sainz & Dimitrov 2008,
-  /// with directions that are the same for all pixels).
+  /// above its tangent plane (after the horizon-based ambient occlusion of Bavoil, Sainz & Dimitrov 2008).
   [[nodiscard]] double hollow(int pixel_x, int pixel_y, double reach) const {
-    const int x = pixel_x * samples_ + samples_ / 2;
-    const int y = pixel_y * samples_ + samples_ / 2;
-    const auto& here = at(x, y);
+    const auto& here = middle(pixel_x, pixel_y);
     if (here.kind != Kind::sphere && here.kind != Kind::facet) {
       return 0.0;
     }
-    constexpr std::array<std::array<double, 2>, 8> directions{{{1.0, 0.0},
-                                                               {0.7, 0.7},
-                                                               {0.0, 1.0},
-                                                               {-0.7, 0.7},
-                                                               {-1.0, 0.0},
-                                                               {-0.7, -0.7},
-                                                               {0.0, -1.0},
-                                                               {0.7, -0.7}}};
+    const int x = pixel_x * samples_ + samples_ / 2;
+    const int y = pixel_y * samples_ + samples_ / 2;
     const Vector place = on_ray(x, y, here);
     const Vector normal{here.normal[0], here.normal[1], here.normal[2]};
     const double pixels = reach * view_.pixels_per_metre(place.z());
     double closed = 0.0;
-    for (const auto& direction : directions) {
+    for (const auto& direction :
+         directions_[static_cast<std::size_t>(tile * (pixel_y % tile) + pixel_x % tile)]) {
       double most = 0.0;
-      for (const double radius : {0.35, 0.8, 1.4}) {
-        const double sx = x + std::round(direction[0] * radius * pixels);
-        const double sy = y + std::round(direction[1] * radius * pixels);
+      for (const double radius : {0.3, 0.7, 1.3}) {
+        const double sx = x + std::round(radius * pixels * direction.x());
+        const double sy = y + std::round(radius * pixels * direction.y());
         if (!(sx >= 0.0 && sx < columns_ && sy >= 0.0 && sy < rows_)) {
           continue;
         }
@@ -414,13 +450,34 @@ private:
         const double distance = rise.norm();
         if (distance > 0.0) {
           // What is far in front belongs to another layer: it hides, but does not close off.
-          const double fade = std::clamp(2.0 - distance / (2.0 * reach), 0.0, 1.0);
+          const double fade = std::clamp(2.0 - distance / (1.5 * reach), 0.0, 1.0);
           most = std::max(most, fade * (rise.dot(normal) / distance - 0.1));
         }
       }
       closed += most;
     }
-    return std::min(1.0, closed / static_cast<double>(directions.size()));
+    return std::min(1.0, closed / static_cast<double>(directions_.front().size()));
+  }
+
+  static constexpr int tile = 4; ///< pixels
+  /// Directions, with lengths of 0.75 to 1.25, for each pixel of a tile.
+  using Directions = std::array<std::array<Eigen::Vector2d, 6>, static_cast<std::size_t>(tile) * tile>;
+
+  static Directions directions() {
+    constexpr double turn = 2.0 * 3.14159265358979323846;
+    Directions result;
+    for (std::size_t k = 0; k < result.size(); ++k) {
+      auto& star = result[k];
+      // Steps of 7 and 11, which share no factor with 16, spread angles and lengths over the tile.
+      const double turned = static_cast<double>(7 * k % result.size()) / static_cast<double>(result.size());
+      const double length =
+          0.75 + 0.5 * static_cast<double>(11 * k % result.size()) / static_cast<double>(result.size());
+      for (std::size_t i = 0; i < star.size(); ++i) {
+        const double angle = turn * (static_cast<double>(i) + turned) / static_cast<double>(star.size());
+        star[i] = length * Eigen::Vector2d{std::cos(angle), std::sin(angle)};
+      }
+    }
+    return result;
   }
 
   [[nodiscard]] Vector on_ray(int x, int y, const Fragment& fragment) const {
@@ -437,7 +494,7 @@ private:
     double light = 1.0;
     if (fragment.kind == Kind::sphere || fragment.kind == Kind::facet) {
       // From the upper left behind the camera; surfaces that look up are a little lighter.
-      const Vector towards_light = Vector{-0.45, 0.65, -0.61}.normalized();
+      const Vector towards_light = Vector{-0.4, 0.57, -0.72}.normalized();
       const Vector normal{fragment.normal[0], fragment.normal[1], fragment.normal[2]};
       light = (0.42 + 0.12 * normal.y() + 0.62 * std::max(0.0, normal.dot(towards_light))) * open;
     }
@@ -481,6 +538,7 @@ private:
   int rows_;    ///< samples down
   View view_;
   std::vector<Fragment> fragments_;
+  Directions directions_ = directions();
   std::optional<Half> cut_;
   double radius_sum_ = 0.0; ///< m
   std::size_t sphere_count_ = 0;
