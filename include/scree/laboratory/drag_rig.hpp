@@ -64,18 +64,14 @@ public:
     return report_;
   }
 
-  /// Lays the bucket flat on the bed, hitches the ropes taut and lets it come to rest. `watch(simulation)` is
-  /// called after every step.
+  /// Lays the bucket with its floor flat on the mean surface of the bed, so that teeth that lean below the
+  /// floor are in the rock, and takes away the grains that are where the bucket is. Hitches the ropes taut
+  /// and lets it come to rest. `watch(simulation)` is called after every step.
   template <class Watch>
   void place_bucket(Watch watch) {
-    const Eigen::AlignedBox2d plan{Eigen::Vector2d{setup_.bucket_start, box_.min().y()},
-                                   Eigen::Vector2d{setup_.bucket_start + box_.sizes().x(), box_.max().y()}};
-    const double surface = highest_point(simulation_.bodies(), plan);
-    if (!std::isfinite(surface)) {
-      throw Error(message("bucket_start = ", setup_.bucket_start, " m: there is no rock below the bucket"));
-    }
     WallMotion motion;
-    motion.position = {setup_.bucket_start - box_.min().x(), 0.0, surface - box_.min().z()};
+    motion.position = {setup_.bucket_start - box_.min().x(), 0.0, surface_below_bucket()};
+    clear_of_bucket(motion);
     winch_start_ = simulation_.time() + setup_.placing_time;
     std::vector<Rope> ropes;
     const std::array<const char*, 2> names{"left", "right"};
@@ -192,6 +188,41 @@ private:
   }
 
   [[nodiscard]] Vector centre() const { return simulation_.wall(wall_).motion.to_space(bucket_.body.centre); }
+
+  /// m, mean height of the bed over the plan of the bucket, from the highest point of each of its cells.
+  [[nodiscard]] double surface_below_bucket() const {
+    constexpr int cells = 6;
+    const double width = box_.sizes().x() / cells, depth = box_.sizes().y() / cells;
+    double sum = 0.0;
+    for (int i = 0; i < cells; ++i) {
+      for (int j = 0; j < cells; ++j) {
+        const Eigen::Vector2d low{setup_.bucket_start + i * width, box_.min().y() + j * depth};
+        sum += highest_point(simulation_.bodies(), {low, Eigen::Vector2d{low.x() + width, low.y() + depth}});
+      }
+    }
+    if (!std::isfinite(sum)) {
+      throw Error(
+          message("bucket_start = ", setup_.bucket_start, " m: there is no rock below a part of the bucket"));
+    }
+    return sum / (cells * cells);
+  }
+
+  /// Takes away the grains that a bucket at this place would cut.
+  void clear_of_bucket(const WallMotion& motion) {
+    const MeshSurface surface{bucket_.surface};
+    std::vector<std::uint32_t> facets;
+    simulation_.remove_bodies([&](const auto& bodies, std::size_t b) {
+      for (std::size_t s = bodies.first_sphere(b); s < bodies.first_sphere(b + 1); ++s) {
+        const auto& sphere = bodies.spheres()[s];
+        facets.clear();
+        surface.facets_near(motion.to_wall(to_eigen(sphere.position)), sphere.radius, facets);
+        if (!facets.empty()) {
+          return true;
+        }
+      }
+      return false;
+    });
+  }
 
   /// Removes grains further behind the bucket than the removal distance and makes the row behind that line a
   /// wall.
