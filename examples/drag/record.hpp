@@ -171,13 +171,15 @@ inline std::string draw_plots(const std::filesystem::path& folder, const std::st
 /// sizes.svg and sizes.png from sizes.csv.
 inline std::string draw_sizes(const std::filesystem::path& folder) {
   using scree::examples::Panel;
-  return scree::examples::draw_plot(
-      folder, "sizes", "Requested and generated sizes, all shapes one behind the other",
-      std::vector<Panel>{{"Share of each sieve class within its shape",
-                          "upper opening, m",
-                          "share",
-                          {{"sizes.csv", "below_m", "target_share", "requested"},
-                           {"sizes.csv", "below_m", "generated_share", "generated"}}}});
+  std::vector<Panel> panels;
+  for (const std::string shape : {"aligned", "pyramid", "flat", "sphere"}) {
+    panels.push_back({"Shape: " + shape,
+                      "upper opening of the sieve class, m",
+                      "share of the class",
+                      {{"sizes.csv", "below_m", shape + "_requested", "requested"},
+                       {"sizes.csv", "below_m", shape + "_generated", "generated"}}});
+  }
+  return scree::examples::draw_plot(folder, "sizes", "Requested and generated grain sizes", panels);
 }
 
 } // namespace drag

@@ -67,22 +67,27 @@ inline scree::BucketBody bucket(const Parameters& p, std::vector<std::string>& r
   return out;
 }
 
-/// Requested and generated shares of every shape and sieve class, side by side.
+/// Requested and generated shares of every sieve class, a pair of columns for each shape.
 inline void write_sizes(const std::filesystem::path& file, const scree::Assembly& assembly,
                         const std::vector<scree::DrawnClump>& drawn) {
-  scree::CsvWriter table{
-      file,
-      {"shape", "above_m", "below_m", "target_share", "generated_share", "shape_target_share",
-       "shape_generated_share"},
-      "Shares within a shape, on the basis of its sieve curve; sizes of the material, before the size "
-      "factor; shares of the shapes by number: 0 aligned, 1 pyramid, 2 flat, 3 sphere."};
   const auto histograms = scree::size_histograms(assembly, drawn);
-  for (std::size_t shape = 0; shape < histograms.size(); ++shape) {
-    const auto& h = histograms[shape];
-    for (std::size_t k = 0; k + 1 < h.openings.size(); ++k) {
-      table.row({static_cast<double>(shape), h.openings[k], h.openings[k + 1], h.target[k], h.generated[k],
-                 h.target_fraction, h.generated_fraction});
+  std::vector<std::string> columns{"above_m", "below_m"};
+  std::string comment =
+      "Shares within each shape, on the basis of its sieve curve; sizes of the material, before the size "
+      "factor.\nShare of the shapes by number, requested and generated:";
+  for (const scree::SizeHistogram& h : histograms) {
+    columns.push_back(h.shape + "_requested");
+    columns.push_back(h.shape + "_generated");
+    comment += scree::message(" ", h.shape, " ", h.target_fraction, " ", h.generated_fraction, ";");
+  }
+  scree::CsvWriter table{file, columns, comment};
+  for (std::size_t k = 0; k + 1 < histograms.front().openings.size(); ++k) {
+    std::vector<double> row{histograms.front().openings[k], histograms.front().openings[k + 1]};
+    for (const scree::SizeHistogram& h : histograms) {
+      row.push_back(h.target[k]);
+      row.push_back(h.generated[k]);
     }
+    table.row(row);
   }
 }
 
