@@ -84,7 +84,7 @@ TEST_CASE_TEMPLATE("the tangential force turns with a pair that turns as one bod
     // Ten turns and a bit. A step of angle a is turned to third order: a^4 / 8 off in size, a^3 / 6 in
     // direction.
     const double angle = 10.3 * full;
-    for (const int steps : {10000, 40000}) {
+    for (const int steps : {5000, 20000}) {
       const Turned off = turned<Law>(axis, angle, steps);
       const double a = angle / steps;
       MESSAGE("steps of " << a << " rad about " << axis.transpose() << ": size off by " << off.size_off

@@ -152,7 +152,7 @@ TEST_CASE("the exact solution fulfils Euler's equations and keeps the angular mo
   }
 }
 
-TEST_CASE_TEMPLATE("rotation is of second order for a free asymmetric body", Integrator, Leapfrog,
+TEST_CASE_TEMPLATE("physics: rotation is of second order for a free asymmetric body", Integrator, Leapfrog,
                    RotorSplitting) {
   for (const ExactRotor* exact : {&asymmetric, &rod}) {
     CAPTURE(exact->inertia().transpose());
@@ -172,7 +172,7 @@ TEST_CASE_TEMPLATE("rotation is of second order for a free asymmetric body", Int
   }
 }
 
-TEST_CASE("a free leapfrog body keeps its energy over 1e5 steps, its angular momentum to O(dt^2)") {
+TEST_CASE("physics: a free leapfrog body keeps its energy over 1e5 steps, its angular momentum to O(dt^2)") {
   for (const ExactRotor* exact : {&asymmetric, &rod}) {
     CAPTURE(exact->inertia().transpose());
     double wandering_before = 0.0;
@@ -200,8 +200,9 @@ TEST_CASE("a free leapfrog body keeps its energy over 1e5 steps, its angular mom
   }
 }
 
-TEST_CASE("a free body under rotor splitting keeps its angular momentum in space to rounding, its energy "
-          "within bounds") {
+TEST_CASE(
+    "physics: a free body under rotor splitting keeps its angular momentum in space to rounding, its energy "
+    "within bounds") {
   for (const ExactRotor* exact : {&asymmetric, &rod}) {
     for (const double dt : {0.02, 0.2}) {
       Rotor<RotorSplitting> rotor{*exact};

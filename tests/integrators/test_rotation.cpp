@@ -85,7 +85,7 @@ TEST_CASE("Euler's equations are those of the angular momentum in space") {
   }
 }
 
-TEST_CASE("the kick of a free body keeps its energy and the magnitude of its angular momentum") {
+TEST_CASE("physics: the kick of a free body keeps its energy and the magnitude of its angular momentum") {
   const Vector inertia{1.0, 2.0, 2.7};
   Vector w{0.8, 1.1, -0.3};
   const double dt = 0.02; // |w| dt of 0.03, far more than a time step has
