@@ -6,6 +6,7 @@
 #include "scree/core/error.hpp"
 #include "scree/io/atomic_file.hpp"
 #include "scree/io/number_text.hpp"
+#include "scree/io/read_text.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -111,8 +112,9 @@ public:
       throw Error(message("command line: ", error.what()));
     }
     if (const auto extra = app.remaining(); !extra.empty()) {
-      const auto dashed = std::find_if(extra.begin(), extra.end(),
-                                       [](const std::string& word) { return word.substr(0, 2) == "--"; });
+      const auto dashed = std::find_if(extra.begin(), extra.end(), [](const std::string& word) {
+        return word.size() > 2 && word.substr(0, 2) == "--";
+      });
       if (dashed == extra.end()) {
         throw Error(message("command line: '", extra.front(), "' belongs to no parameter"));
       }
@@ -204,11 +206,7 @@ private:
         return **flag ? "true" : "false";
       }
       if (const auto* list = std::get_if<std::vector<double>*>(&value)) {
-        std::vector<std::string> numbers;
-        for (const double number : **list) {
-          numbers.push_back(number_text(number));
-        }
-        return joined(numbers, ",");
+        return joined(texts(**list, number_text), ",");
       }
       return *std::get<std::string*>(value);
     }
@@ -232,14 +230,25 @@ private:
       std::string shown = text();
       if (value.index() == 3) {
         shown = '"' + escaped(shown) + '"';
-      } else if (value.index() == 0 && shown.find_first_of(".en") == std::string::npos) {
-        shown += ".0";
-      } else if (value.index() == 4) {
-        shown = "[" + shown + "]";
+      } else if (const auto* number = std::get_if<double*>(&value)) {
+        shown = toml_number(**number);
+      } else if (const auto* list = std::get_if<std::vector<double>*>(&value)) {
+        shown = "[" + joined(texts(**list, toml_number), ", ") + "]";
       }
       const std::string unit = range.unit.empty() ? "" : message(range.unit, "; ");
       return message(key, " = ", shown, "  # ", unit, from == Provenance::paper ? "paper; " : "ours; ", doc,
                      "\n");
+    }
+
+    /// A TOML float, never an integer: that would lose the sign of -0.
+    static std::string toml_number(double number) {
+      const std::string text = number_text(number);
+      return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
+    }
+    static std::vector<std::string> texts(const std::vector<double>& numbers, std::string (*text)(double)) {
+      std::vector<std::string> out(numbers.size());
+      std::transform(numbers.begin(), numbers.end(), out.begin(), text);
+      return out;
     }
 
     static std::string escaped(const std::string& text) {
@@ -260,21 +269,20 @@ private:
     }
 
     void set_text(const std::string& given, const std::string& where) {
-      const char* end = given.data() + given.size();
       if (value.index() == 0) {
-        double number = 0.0;
-        if (const auto [rest, error] = std::from_chars(given.data(), end, number);
-            error != std::errc{} || rest != end) {
-          refuse(where, given, "a number");
+        const auto number = parse_number(given);
+        if (!number) {
+          refuse(where, given, "a finite number");
         }
-        set_number(number, where);
+        set_number(*number, where);
       } else if (value.index() == 1) {
-        std::uint64_t integer = 0;
+        std::int64_t integer = 0; // signed, as in TOML, so that every value can be read back
+        const char* const end = given.data() + given.size();
         if (const auto [rest, error] = std::from_chars(given.data(), end, integer);
-            error != std::errc{} || rest != end) {
+            error != std::errc{} || rest != end || integer < 0) {
           refuse(where, given, "a whole number, 0 or above");
         }
-        set_integer(integer, where);
+        set_integer(static_cast<std::uint64_t>(integer), where);
       } else if (auto* const* flag = std::get_if<bool*>(&value)) {
         if (given != "true" && given != "false") {
           refuse(where, given, "true or false");
@@ -298,6 +306,9 @@ private:
     }
 
     void set_number(double number, const std::string& where) {
+      if (!std::isfinite(number)) {
+        refuse(where, message(number), "a finite number");
+      }
       *std::get<double*>(value) = require(where + name, number, range);
     }
     void set_integer(std::uint64_t integer, const std::string& where) {
@@ -318,12 +329,23 @@ private:
       if (!choices.empty() && std::find(choices.begin(), choices.end(), given) == choices.end()) {
         refuse(where, '"' + given + '"', "one of " + joined(choices, ", "));
       }
+      if (!is_utf8(given)) { // neither TOML nor JSON could keep it
+        refuse(where, given, "UTF-8 text");
+      }
       *std::get<std::string*>(value) = given;
+    }
+    static bool is_utf8(const std::string& text) {
+      try {
+        (void)nlohmann::json(text).dump();
+        return true;
+      } catch (const nlohmann::json::type_error&) {
+        return false;
+      }
     }
 
     void set_node(const toml::node& node, const std::string& where) {
       if (value.index() == 0 && node.is_number()) {
-        set_number(*node.value<double>(), where);
+        set_number(number_of(node), where);
       } else if (value.index() == 1 && node.is_integer() && *node.value<std::int64_t>() >= 0) {
         set_integer(static_cast<std::uint64_t>(*node.value<std::int64_t>()), where);
       } else if (value.index() == 2 && node.is_boolean()) {
@@ -336,7 +358,7 @@ private:
           if (!item.is_number()) {
             refuse(where, text_of(node), "a list of numbers");
           }
-          numbers.push_back(*item.value<double>());
+          numbers.push_back(number_of(item));
         }
         set_list(numbers, where);
       } else {
@@ -344,6 +366,12 @@ private:
                                                  "a text", "a list of numbers"};
         refuse(where, text_of(node), wanted[value.index()]);
       }
+    }
+
+    /// A TOML number. node::value<double>() gives nothing for an integer that no double holds.
+    static double number_of(const toml::node& node) {
+      const auto* const integer = node.as_integer();
+      return integer != nullptr ? static_cast<double>(integer->get()) : node.as_floating_point()->get();
     }
 
     static std::string text_of(const toml::node& node) {
@@ -368,14 +396,16 @@ private:
     if (!std::filesystem::is_regular_file(file)) {
       throw Error(message(file, ": cannot be read: no such file"));
     }
-    constexpr std::uintmax_t most = std::uintmax_t{1} << 20U;
-    if (std::filesystem::file_size(file) > most) {
-      throw file_error(file, 1, message("the file is larger than ", most, " bytes"));
-    }
+    const std::string text = read_text(file, std::size_t{1} << 20U);
     try {
-      toml::table table = toml::parse_file(file);
+      toml::table table = toml::parse(text, file);
       if (table.empty()) {
         throw file_error(file, 1, "the file holds no parameter");
+      }
+      // A number that is cut off is still a number.
+      if (text.back() != '\n') {
+        const auto line = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + 1;
+        throw file_error(file, line, "the file is cut off, or its last line lacks a line break");
       }
       return table;
     } catch (const toml::parse_error& error) {

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdlib>
@@ -26,11 +27,12 @@ struct Curve {
   double factor = 1.0; ///< on y
 };
 
-/// A value from elsewhere, drawn as a point with its label.
+/// A value from elsewhere, drawn as a point. Points of one label look alike, others of a kind differ in
+/// shape.
 struct StatedPoint {
   double x, y;
   std::string label;
-  int kind = 0; ///< points of one kind look alike: 0 measured, 1 simulated by others
+  int kind = 0; ///< 0 measured, drawn filled; 1 simulated by others, drawn open
 };
 
 struct Panel {
@@ -63,10 +65,23 @@ inline std::string panel_commands(const Panel& panel) {
                          parts.empty() ? "plot" : ",", gnuplot_text(c.file.string()), gnuplot_text(c.x),
                          gnuplot_text(c.y), c.factor, colours[n % colours.size()], gnuplot_text(c.title));
   }
+  std::array<std::vector<std::string>, 2> labels; // of each kind
   for (const StatedPoint& p : panel.points) {
-    parts += fmt::format("{} '-' using 1:2 with points pt {} ps 1.5 lw 2 lc rgb '{}' title {}",
-                         parts.empty() ? "plot" : ",", p.kind == 0 ? 7 : 8,
-                         p.kind == 0 ? "#222222" : "#d55e00", gnuplot_text(p.label));
+    const bool measured = p.kind == 0;
+    auto& known = labels[measured ? 0 : 1];
+    const auto shape =
+        static_cast<std::size_t>(std::find(known.begin(), known.end(), p.label) - known.begin());
+    const bool fresh = shape == known.size();
+    if (fresh) {
+      known.push_back(p.label);
+    }
+    // gnuplot's circles, squares, diamonds and triangles: filled ones are odd, open ones even.
+    static constexpr std::array<int, 4> filled{7, 5, 13, 9};
+    static constexpr std::array<int, 4> open{8, 4, 12, 6};
+    parts +=
+        fmt::format("{} '-' using 1:2 with points pt {} ps 1.5 lw 2 lc rgb '{}' {}",
+                    parts.empty() ? "plot" : ",", (measured ? filled : open)[shape % filled.size()],
+                    measured ? "#222222" : "#d55e00", fresh ? "title " + gnuplot_text(p.label) : "notitle");
     data += fmt::format("{},{}\ne\n", p.x, p.y);
   }
   return out + parts + "\n" + data;

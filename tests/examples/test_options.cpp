@@ -1,13 +1,19 @@
+#include "scree/core/random.hpp"
 #include "support/options.hpp"
 #include "support/scratch_folder.hpp"
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -94,9 +100,9 @@ TEST_CASE("without arguments the defaults stay") {
 
 TEST_CASE("the command line sets values of every kind") {
   Bed bed;
-  bed.parse({"--out", "a b", "--shape=heap", "--bed.length", "2e0", "--bed.slope", "-5.5", "--bed.seed",
-             "9000000000000000", "--bed.drained", "false", "--bed.sieves", "1,2.5,1e1"});
-  CHECK(bed == Bed{"a b", "heap", 2.0, -5.5, 9000000000000000U, false, {1.0, 2.5, 10.0}});
+  bed.parse({"--out", "a b \u00E9", "--shape=heap", "--bed.length", "+2e0", "--bed.slope", "-5.5",
+             "--bed.seed", "9000000000000000", "--bed.drained", "false", "--bed.sieves", "1,2.5,1e1"});
+  CHECK(bed == Bed{"a b \u00E9", "heap", 2.0, -5.5, 9000000000000000U, false, {1.0, 2.5, 10.0}});
 }
 
 TEST_CASE("a file sets values of every kind, and the command line wins over it") {
@@ -134,7 +140,60 @@ TEST_CASE("what was used is written so that it reads back to the same bits") {
                             "slope = 0.0  # deg; ours; rise along the drag\n"
                             "seed = 1  # ours; of all random numbers\n"
                             "drained = true  # ours; whether water runs off\n"
-                            "sieves = [9.5,13.2,19]  # mm; ours; openings\n");
+                            "sieves = [9.5, 13.2, 19.0]  # mm; ours; openings\n");
+}
+
+TEST_CASE("all numbers of the written file come back to the bit") {
+  const ScratchFolder folder;
+  const auto file = folder / "input.toml";
+  using Limits = std::numeric_limits<double>;
+  std::vector<double> numbers{
+      0.0,           -0.0,   3.0,    -1e22, 9007199254740993.0, Limits::max(), Limits::lowest(),
+      Limits::min(), 5e-324, -5e-324};
+  Random random{7};
+  while (numbers.size() < 300) {
+    numbers.push_back(random.normal() * std::pow(10.0, std::floor(random.uniform(-300.0, 300.0))));
+  }
+  // Each number alone and all of them in a list.
+  std::vector<double> alone = numbers;
+  std::vector<double> list = numbers;
+  std::uint64_t most = std::numeric_limits<std::int64_t>::max();
+  const auto options = [&] {
+    Options all{"bits", "Keeps bits."};
+    for (std::size_t k = 0; k < alone.size(); ++k) {
+      all.add("value." + std::to_string(k), alone[k], {Limits::lowest(), Limits::max()}, "a number");
+    }
+    all.add("list", list, {Limits::lowest(), Limits::max()}, "numbers");
+    all.add("most", most, {0.0, 1e19}, "the largest whole number of TOML");
+    return all;
+  };
+  options().write_toml(file);
+  alone.assign(alone.size(), 1.0);
+  list.assign(list.size(), 1.0);
+  most = 0;
+  const std::array argv{"bits", "--config", file.c_str()};
+  options().parse(static_cast<int>(argv.size()), argv.data());
+  const auto same_bits = [](double a, double b) {
+    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+  };
+  CHECK(std::equal(numbers.begin(), numbers.end(), alone.begin(), alone.end(), same_bits));
+  CHECK(std::equal(numbers.begin(), numbers.end(), list.begin(), list.end(), same_bits));
+  CHECK(most == 9223372036854775807U);
+}
+
+TEST_CASE("a whole number that no double holds is rounded, not refused") {
+  const ScratchFolder folder;
+  const auto file = folder / "in.toml";
+  write(file, "x = 9007199254740993\nlist = [9007199254740993, -9223372036854775808]\n"); // 2^53 + 1, -2^63
+  double x = 0.0;
+  std::vector<double> list{0.0, 0.0};
+  Options options{"round", "Rounds."};
+  options.add("x", x, {0.0, 1e16}, "a number");
+  options.add("list", list, {-1e19, 1e19}, "numbers");
+  const std::array argv{"round", "--config", file.c_str()};
+  options.parse(static_cast<int>(argv.size()), argv.data());
+  CHECK(x == 9007199254740992.0);
+  CHECK(list == std::vector<double>{9007199254740992.0, -9223372036854775808.0});
 }
 
 TEST_CASE("the record names values, and the defaults that are not in the paper") {
@@ -173,10 +232,10 @@ TEST_CASE("the help lists every parameter with unit, default, range and source")
 
 TEST_CASE("the command line is refused in one line that names the parameter") {
   CHECK(refusal({"--bed.length", "20"}) == "command line: --bed.length = 20 m is outside [0.1, 10] m");
-  CHECK(refusal({"--bed.length", "nan"}) == "command line: --bed.length = nan m is outside [0.1, 10] m");
-  CHECK(refusal({"--bed.length", "two"}) == "command line: --bed.length = two is not a number");
-  CHECK(refusal({"--bed.length", "2m"}) == "command line: --bed.length = 2m is not a number");
-  CHECK(refusal({"--bed.length", ""}) == "command line: --bed.length =  is not a number");
+  CHECK(refusal({"--bed.length", "nan"}) == "command line: --bed.length = nan is not a finite number");
+  CHECK(refusal({"--bed.length", "two"}) == "command line: --bed.length = two is not a finite number");
+  CHECK(refusal({"--bed.length", "2m"}) == "command line: --bed.length = 2m is not a finite number");
+  CHECK(refusal({"--bed.length", ""}) == "command line: --bed.length =  is not a finite number");
   CHECK(refusal({"--bed.seed", "-1"}) == "command line: --bed.seed = -1 is not a whole number, 0 or above");
   CHECK(refusal({"--bed.seed", "1.5"}) == "command line: --bed.seed = 1.5 is not a whole number, 0 or above");
   CHECK(refusal({"--bed.seed", "99999999999999999999"}) ==
@@ -196,6 +255,9 @@ TEST_CASE("the command line is refused in one line that names the parameter") {
         "command line: there is no parameter 'bed.lenght'; did you mean 'bed.length'?");
   CHECK(refusal({"--something.quite.different", "2"}) ==
         "command line: there is no parameter 'something.quite.different'");
+  CHECK(refusal({"--bed.seed", "9223372036854775808"}) ==
+        "command line: --bed.seed = 9223372036854775808 is not a whole number, 0 or above"); // beyond TOML
+  CHECK(refusal({"--out", "\xE9t\xE9"}) == "command line: --out = \xE9t\xE9 is not UTF-8 text");
   CHECK(refusal({"stray"}) == "command line: 'stray' belongs to no parameter");
   CHECK(refusal({"--bed.length"}).rfind("command line: --bed.length: ", 0) == 0);
   CHECK(refusal({"--bed.length", "1", "--bed.length", "2"}).rfind("command line: --bed.length: ", 0) == 0);
@@ -205,8 +267,8 @@ TEST_CASE("a file is refused with its line and the parameter") {
   CHECK(file_refusal("[bed]\nlenght = 2\n") ==
         "2: there is no parameter 'bed.lenght'; did you mean 'bed.length'?");
   CHECK(file_refusal("\n\nbed.length = 20\n") == "3: bed.length = 20 m is outside [0.1, 10] m");
-  CHECK(file_refusal("bed.length = nan\n") == "1: bed.length = nan m is outside [0.1, 10] m");
-  CHECK(file_refusal("bed.length = inf\n") == "1: bed.length = inf m is outside [0.1, 10] m");
+  CHECK(file_refusal("bed.length = nan\n") == "1: bed.length = nan is not a finite number");
+  CHECK(file_refusal("bed.length = inf\n") == "1: bed.length = inf is not a finite number");
   CHECK(file_refusal("[bed]\nlength = \"2\"\n") == "2: bed.length = '2' is not a number");
   CHECK(file_refusal("[bed]\nlength = [2]\n") == "2: bed.length = [ 2 ] is not a number");
   CHECK(file_refusal("[bed.length]\nx = 2\n") == "1: bed.length = a table is not a number");
@@ -230,7 +292,11 @@ TEST_CASE("a file that is empty, cut off or oversize is refused") {
   CHECK(file_refusal("shape = 'box'\n[bed]\nlength =").rfind("3: ", 0) == 0);
   CHECK(file_refusal("shape = 'bo").rfind("1: ", 0) == 0);
   CHECK(file_refusal("bed.length = 1\nbed.length = 2\n").rfind("2: ", 0) == 0);
-  CHECK(file_refusal(std::string(1U << 20U, '#') + "\n") == "1: the file is larger than 1048576 bytes");
+  CHECK(file_refusal("[bed]\nseed = 2\nlength = 1.2") ==
+        "3: the file is cut off, or its last line lacks a line break"); // of "length = 1.25\n", perhaps
+  CHECK(file_refusal("out = '\xE9t\xE9'\n").rfind("1: ", 0) == 0);
+  CHECK(file_refusal("\n\n" + std::string(1U << 20U, '#') + "\n") ==
+        "3: the file is larger than 1048576 bytes");
   const ScratchFolder folder;
   const auto missing = (folder / "missing.toml").string();
   CHECK(refusal({"--config", missing}) == missing + ": cannot be read: no such file");
@@ -250,4 +316,18 @@ TEST_CASE("what decides on other defaults can be looked up before they are set")
   CHECK(peek({"--fidelities", "lab"}) == std::nullopt);
   CHECK(peek({"--config", file.c_str()}) == "lab");
   CHECK(peek({"--config", file.c_str(), "--fidelity", "desk"}) == "desk");
+  CHECK(peek({"--fidelity"}) == std::nullopt); // parse() refuses it
+  const auto config = "--config=" + file;
+  CHECK(peek({config.c_str()}) == "lab");
+  write(file, "fidelity = 3\n");
+  CHECK(peek({config.c_str()}) == std::nullopt);
+  write(file, "[deep]\nfidelity = 'lab'\n");
+  CHECK(peek({config.c_str()}) == std::nullopt);
+  write(file, "\nfidelity = 'lab\n");
+  try {
+    (void)peek({config.c_str()});
+    FAIL("read");
+  } catch (const Error& error) {
+    CHECK_MESSAGE(std::string_view{error.what()}.rfind(file + ":2: ", 0) == 0, error.what());
+  }
 }

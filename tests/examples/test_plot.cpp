@@ -5,10 +5,15 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -49,7 +54,94 @@ std::vector<Panel> panels() {
       {"Pitch", "drag distance, m", "pitch, mrad", {{"drag.csv", "drag_m", "pitch_deg", "b", 17.45}}, {}}};
 }
 
+using Places = std::vector<std::array<double, 2>>; // pixels from the top left
+
+/// The numbers behind each `begin` in an SVG, two by two, up to the next quote or bracket.
+std::vector<Places> places_behind(const std::string& svg, std::string_view begin) {
+  std::vector<Places> found;
+  for (auto at = svg.find(begin); at != std::string::npos; at = svg.find(begin, at + 1)) {
+    const auto start = at + begin.size();
+    std::string text = svg.substr(start, svg.find_first_of("')", start) - start);
+    text = text.substr(text.find_last_of('M') + 1); // all of a curve but the sample in the legend
+    std::replace_if(
+        text.begin(), text.end(), [](char c) { return c == 'L' || c == ','; }, ' ');
+    std::istringstream numbers(text);
+    auto& places = found.emplace_back();
+    for (std::array<double, 2> place{}; numbers >> place[0] >> place[1];) {
+      places.push_back(place);
+    }
+  }
+  return found;
+}
+
 } // namespace
+
+TEST_CASE("curves and points stand where the named columns and the stated values put them") {
+  if (gnuplot_is_missing()) {
+    return;
+  }
+  const ScratchFolder folder;
+  {
+    // The columns stand in another order than that of the plot, among others.
+    CsvWriter table{folder / "drag.csv", {"mass_kg", "force_N", "time_s", "drag_m"}, "drag_m,force_N"};
+    for (int k = 0; k <= 100; ++k) {
+      table.row({5.0 - 0.01 * k, 0.1 * k * k, 3.0 * k, 0.01 * k});
+    }
+  }
+  const Panel panel{
+      "Drag force",
+      "drag distance, m",
+      "force, kN",
+      {{"drag.csv", "drag_m", "force_N", "force", 1e-3}, {"drag.csv", "drag_m", "mass_kg", "mass"}},
+      {{0.25, 0.75, "measured"}, {0.5, 2.5, "simulated", 1}, {1.0, 6.0, "measured"}}};
+  REQUIRE(draw_plot(folder / "", "drag", "Bucket", {panel}) == "");
+  const auto svg = content_of(folder / "drag.svg");
+  const auto force = places_behind(svg, "<path stroke='rgb(  0, 114, 178)'  d='");
+  const auto mass = places_behind(svg, "<path stroke='rgb(213,  94,   0)'  d='");
+  REQUIRE(force.size() == 1);
+  REQUIRE(mass.size() == 1);
+  REQUIRE(force[0].size() == 101);
+  REQUIRE(mass[0].size() == 101);
+  // The axes are those that put the ends of the mass at (0, 5) and (1, 4).
+  const auto [left, five] = mass[0].front();
+  const auto [right, four] = mass[0].back();
+  REQUIRE(right > left + 100.0);
+  REQUIRE(four > five + 20.0);
+  const auto distance = [left = left, five = five, right = right, four = four](const auto& place, double x,
+                                                                               double y) {
+    return std::hypot(place[0] - (left + x * (right - left)), place[1] - (five + (5.0 - y) * (four - five)));
+  };
+  double worst = 0.0;
+  for (std::size_t k = 0; k <= 100; ++k) {
+    const double x = 0.01 * static_cast<double>(k);
+    worst = std::max({worst, distance(mass[0][k], x, 5.0 - x), distance(force[0][k], x, x * x)});
+  }
+  CHECK_MESSAGE(worst < 0.1, worst, " pixels");
+
+  const auto marked = [&](const char* symbol, double x, double y) {
+    const auto marks = places_behind(svg, message("<use xlink:href='#", symbol, "' transform='translate("));
+    return std::count_if(marks.begin(), marks.end(),
+                         [&](const Places& mark) { return distance(mark.at(0), x, y) < 0.1; });
+  };
+  CHECK(marked("gpPt6", 0.25, 0.75) == 1); // filled circles
+  CHECK(marked("gpPt6", 1.0, 6.0) == 1);
+  CHECK(marked("gpPt7", 0.5, 2.5) == 1); // an open triangle
+}
+
+TEST_CASE("points of one label look alike and have one entry in the legend, others differ") {
+  const auto symbols = [](const std::vector<StatedPoint>& points) {
+    const auto script = plot_script("p", "t", {{"title", "x", "y", {}, points}});
+    std::vector<std::string> found;
+    for (auto at = script.find(" pt "); at != std::string::npos; at = script.find(" pt ", at + 1)) {
+      found.push_back(script.substr(at + 4, script.find(' ', at + 4) - at - 4) +
+                      (script.compare(script.find("title", at) - 2, 2, "no") == 0 ? "" : " named"));
+    }
+    found.resize(found.size() / 2); // once for the SVG, once for the PNG
+    return found;
+  };
+  CHECK(symbols({{1, 2, "a"}, {2, 3, "b"}, {3, 4, "a"}, {4, 5, "a", 1}, {5, 6, "c", 1}}) ==
+        std::vector<std::string>{"7 named", "5 named", "7", "8 named", "4 named"});
+}
 
 TEST_CASE("a plot leaves script, SVG and PNG beside the data") {
   if (gnuplot_is_missing()) {

@@ -438,6 +438,34 @@ TEST_CASE("a scale bar has a round length true to scale") {
   CHECK_THROWS_AS(draw_scale_bar(image, 0.0), Error);
 }
 
+TEST_CASE("the words at a scale bar and at a colour bar are whole in a small picture too") {
+  const TextStyle style{.colour = black};
+  /// Columns from the first to the last one with ink in the upper `rows` rows.
+  const auto inked_columns = [](const Image& image, int rows) {
+    int first = image.width();
+    int last = -1;
+    for (int y = 0; y < rows; ++y) {
+      for (int x = 0; x < image.width(); ++x) {
+        if (image.at(x, y) != white) {
+          first = std::min(first, x);
+          last = std::max(last, x);
+        }
+      }
+    }
+    CHECK(first > 0);
+    CHECK(last < image.width() - 1);
+    return last - first + 1;
+  };
+  constexpr double strokes = 5.0; // half a stroke and its soft edge beyond the points at both ends
+  Image scale{170, 60};           // a bar of 25 pixels below words of 102
+  draw_scale_bar(scale, 0.149 * 170 / 0.2, style);
+  CHECK(std::abs(inked_columns(scale, 28) - text_width("200 mm", 18.0) - 0.5 * strokes) <= 0.5 * strokes);
+  Image colours{240, 120}; // a bar of 40 pixels below words of 174
+  draw_colour_bar(colours, 0.0, 2.0, "speed, m/s", style);
+  CHECK(std::abs(inked_columns(colours, 64) - text_width("speed, m/s", 18.0) - 0.5 * strokes) <=
+        0.5 * strokes);
+}
+
 TEST_CASE("a colour bar runs through the sequential colours") {
   Image image{600, 200};
   draw_colour_bar(image, 0.0, 2.0, "speed, m/s", {.colour = black});

@@ -162,6 +162,17 @@ inline void draw_text(Image& image, double x, double y, std::string_view text, c
   }
 }
 
+namespace detail {
+
+/// Draws text centred at x, or as near to it as keeps it off the sides of the image.
+inline void draw_centred(Image& image, double x, double y, std::string_view text, TextStyle style) {
+  const double half = 0.5 * text_width(text, style.height) + 0.3 * style.height;
+  style.align = 0.5;
+  draw_text(image, std::max(half, std::min(x, image.width() - half)), y, text, style);
+}
+
+} // namespace detail
+
 /// Draws a bar of a round length, at most 15 % of the width, at the lower left, with its length above it.
 /// \param pixels_per_metre scale of the picture, above 0.
 /// \throws Error for a scale that is no finite number above 0.
@@ -178,10 +189,8 @@ inline void draw_scale_bar(Image& image, double pixels_per_metre, const TextStyl
     detail::draw_stroke(image, x, y - tick, x, y + tick, thickness, style.colour);
   }
   detail::draw_stroke(image, left, y, right, y, thickness, style.colour);
-  auto centred = style;
-  centred.align = 0.5;
   const auto text = metres < 1.0 ? message(1e3 * metres, " mm") : message(metres, " m");
-  draw_text(image, 0.5 * (left + right), y - tick - 1.4 * style.height, text, centred);
+  detail::draw_centred(image, 0.5 * (left + right), y - tick - 1.4 * style.height, text, style);
 }
 
 /// Draws the colours of `sequential_colour` at the lower right, with the values at both ends and their name.
@@ -199,11 +208,9 @@ inline void draw_colour_bar(Image& image, double least, double most, std::string
       image.at(x, y) = sequential_colour((x - left + 0.5) / length);
     }
   }
-  auto centred = style;
-  centred.align = 0.5;
-  draw_text(image, left, top + 1.6 * height, message(least), centred);
-  draw_text(image, left + length, top + 1.6 * height, message(most), centred);
-  draw_text(image, left + 0.5 * length, top - 1.5 * style.height, name, centred);
+  detail::draw_centred(image, left, top + 1.6 * height, message(least), style);
+  detail::draw_centred(image, left + length, top + 1.6 * height, message(most), style);
+  detail::draw_centred(image, left + 0.5 * length, top - 1.5 * style.height, name, style);
 }
 
 } // namespace scree

@@ -5,6 +5,7 @@
 
 #include "scree/core/error.hpp"
 #include "scree/io/number_text.hpp"
+#include "scree/io/read_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -134,30 +135,6 @@ struct CsvLimits {
 
 namespace detail {
 
-/// The content of `file`, of at most `bytes` bytes.
-/// \throws Error naming the file, and the line at which the limit is passed.
-inline std::string read_text(const std::filesystem::path& file, std::size_t bytes) {
-  // A folder opens like a file on POSIX and fails only on reading.
-  std::ifstream in(file, std::ios::binary);
-  if (!in || std::filesystem::is_directory(file)) {
-    throw Error(message(file.string(), ": cannot be opened for reading"));
-  }
-  std::string text;
-  std::vector<char> block(std::size_t{1} << 16U);
-  while (in.read(block.data(), static_cast<std::streamsize>(block.size())), in.gcount() > 0) {
-    text.append(block.data(), static_cast<std::size_t>(in.gcount()));
-    if (text.size() > bytes) {
-      const auto end = text.begin() + static_cast<std::ptrdiff_t>(bytes);
-      const auto line = static_cast<std::size_t>(std::count(text.begin(), end, '\n')) + 1;
-      throw file_error(file, line, message("the file is larger than ", bytes, " bytes"));
-    }
-  }
-  if (in.bad()) {
-    throw Error(message(file.string(), ": cannot be read"));
-  }
-  return text;
-}
-
 /// A field as it is shown in a message: in quotes, one line, not too long.
 inline std::string quoted(std::string_view field) {
   constexpr std::size_t most = 40;
@@ -192,7 +169,7 @@ inline std::vector<std::string_view> comma_fields(std::string_view line) {
 /// ..." for a file that is empty, has no rows, ends within a line, is larger than `limits`, or has a ragged
 /// row, an empty field or one that is not a finite number.
 inline CsvTable read_csv(const std::filesystem::path& file, const CsvLimits& limits = {}) {
-  const std::string text = detail::read_text(file, limits.bytes);
+  const std::string text = read_text(file, limits.bytes);
   std::string_view rest = text;
   if (rest.substr(0, 3) == "\xEF\xBB\xBF") {
     rest.remove_prefix(3);
