@@ -38,7 +38,7 @@ struct Parameters {
   std::vector<double> centre{0.0, 0.0, 0.0}, inertia{0.0, 0.0, 0.0};
 
   double skin_share = 0.5;
-  double step_safety = 0.5;
+  double step_safety = 0.8;
   double sample_interval = 0.01, frame_interval = 0.1, picture_interval = 0.25;
 };
 
@@ -56,6 +56,8 @@ inline Parameters defaults(const std::string& fidelity) {
   }
   if (fidelity == "desk") {
     p.setup = scree::desk_drag();
+    // Without the two finest classes, which would be most of the grains and set the time step.
+    p.passing.assign(4, {0.0, 0.0, 0.2, 1.0, 1.0});
   }
   return p;
 }

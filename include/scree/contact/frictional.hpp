@@ -64,6 +64,9 @@ struct ExtensionCheck {
 
 } // namespace detail
 
+template <class E>
+concept LawExtension = std::copyable<E> && HasHistory<E> &&(ChangesNormalForce<E> || AddsCouple<E>);
+
 /// What a normal model (Linear, Hertz) says of one contact. Stiffness of 0 in shear means no tangential
 /// spring.
 template <class T>
@@ -74,6 +77,7 @@ struct SpringDashpot {
   T inverse_shear_stiffness; ///< m/N
   T normal_damping;          ///< N s/m
   T shear_damping;           ///< N s/m
+  T spring_loss{};           ///< J, that the tangential spring lost as its stiffness changed
 };
 
 /// Turns a tangential vector with its contact, to third order in the angle of one step, and puts it into the
@@ -87,8 +91,8 @@ template <class T>
 
 /// A contact law made of a normal model and any number of extensions.
 ///
-/// Tangential force: F_s = s - c_s v_t with the spring force s turned with the contact and s' = s - k_s v_t
-/// dt; where |F_s| exceeds mu F_n it slides at that limit and the spring keeps what the limit leaves (Coetzee
+/// Tangential force: F_s = s' - c_s v_t with the spring force s turned with the contact and s' = s - k_s v_t
+/// dt, neither of them beyond mu F_n (Coetzee
 /// et al. 2010 Eq. (2), in three dimensions).
 ///
 /// History: three numbers of the tangential spring force [N], those of the normal model, those of each
@@ -167,20 +171,21 @@ public:
     const auto sliding = wanted2 > limit * limit;
     Vec3<T> tangential = wanted, kept = trial;
     if (any(sliding)) {
-      const T share = select(sliding, limit / square_root(select(sliding, wanted2, T(1))), T(1));
-      tangential = wanted * share;
-      kept = {select(sliding, tangential.x - drag.x, trial.x),
-              select(sliding, tangential.y - drag.y, trial.y),
-              select(sliding, tangential.z - drag.z, trial.z)};
-      // Of the tangential displacement, -(kept - spring)/k_s loads the spring and the rest slides.
-      out.frictional_work = dot(tangential, trial - kept) * at.inverse_shear_stiffness;
+      tangential = wanted * select(sliding, limit / square_root(select(sliding, wanted2, T(1))), T(1));
+    }
+    const T trial2 = squared_norm(trial);
+    const auto yielding = trial2 > limit * limit;
+    if (any(yielding)) {
+      kept = trial * select(yielding, limit / square_root(select(yielding, trial2, T(1))), T(1));
     }
     out.tangential = tangential;
     history[0] = kept.x;
     history[1] = kept.y;
     history[2] = kept.z;
+    // Of the tangential displacement, -(kept - spring)/k_s loads the spring and the rest slides.
+    out.frictional_work = dot(tangential, trial - kept) * at.inverse_shear_stiffness + at.spring_loss;
     out.viscous_work = at.normal_damping * normal_speed * normal_speed * k.dt +
-                       dot(drag, kept - spring) * at.inverse_shear_stiffness;
+                       dot(tangential - kept, kept - spring) * at.inverse_shear_stiffness;
     for_each_extension(history, [&](const auto& extension, auto own_history) {
       if constexpr (AddsCouple<std::decay_t<decltype(extension)>, T>) {
         out.couple +=

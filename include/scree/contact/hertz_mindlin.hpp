@@ -47,6 +47,8 @@ struct HertzModel {
   static SpringDashpot<T> evaluate(const PairMaterial<T>& pair, const Kinematics<T>& k, Vec3<T>& spring,
                                    std::span<T, 1> history) {
     const T a = square_root(k.reduced_radius * k.overlap);
+    const T before = history[0];
+    const T spring2 = squared_norm(spring);
     const auto unloading = a < history[0];
     spring *= select(unloading, a / select(unloading, history[0], T(1)), T(1));
     history[0] = a;
@@ -54,12 +56,17 @@ struct HertzModel {
     const T shear = T(8) * pair.shear_modulus * a;
     const T damping = T(1.8257418583505538) * pair.damping_ratio; // 2 sqrt(5/6)
     const auto sheared = shear > T(0);
+    const auto known = before > T(0);
+    const T energy = select(known, spring2 / select(known, T(16) * pair.shear_modulus * before, T(1)), T(0));
+    const T low = select(a < before, a, before), high = larger(a, before);
+    const T spring_loss = energy * (T(1) - low / high);
     return {T(2.0 / 3.0) * normal * k.overlap,
             normal,
             shear,
             select(sheared, T(1) / select(sheared, shear, T(1)), T(0)),
             damping * square_root(normal * k.reduced_mass) + pair.normal_damping_rate * k.reduced_mass,
-            damping * square_root(shear * k.reduced_mass) + pair.shear_damping_rate * k.reduced_mass};
+            damping * square_root(shear * k.reduced_mass) + pair.shear_damping_rate * k.reduced_mass,
+            spring_loss};
   }
 };
 

@@ -138,11 +138,14 @@ private:
   /// surface.
   template <class Minima>
   [[nodiscard]] bool closer_across(const Minimum& minimum, const Minima& minima) const {
+    const double much_closer = minimum.squared_distance * (1.0 - 1e-12);
     for (const Minimum& other : minima) {
-      if (other.squared_distance >= minimum.squared_distance * (1.0 - 1e-12)) {
-        return false; // sorted: no other is closer
+      if (other.squared_distance > minimum.squared_distance * (1.0 + 1e-12)) {
+        break; // sorted: no other is closer
       }
-      if (shares(minimum, other.facet)) {
+      // At a seam a face and its edge are equally near up to rounding: the face has the better normal.
+      if ((other.feature == triangle_face || other.squared_distance < much_closer) &&
+          shares(minimum, other.facet)) {
         return true;
       }
     }

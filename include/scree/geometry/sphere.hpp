@@ -13,9 +13,9 @@ struct Sphere {
 
 /// Mass properties of a solid. With unit density, `mass` is the volume in m3.
 struct MassProperties {
-  double mass = 0.0;                ///< kg
-  Vector centre = Vector::Zero();   ///< m, centre of mass
-  Matrix inertia = Matrix::Zero();  ///< kg m2, about the centre of mass, in the axes of `centre`
+  double mass = 0.0;               ///< kg
+  Vector centre = Vector::Zero();  ///< m, centre of mass
+  Matrix inertia = Matrix::Zero(); ///< kg m2, about the centre of mass, in the axes of `centre`
 };
 
 } // namespace scree

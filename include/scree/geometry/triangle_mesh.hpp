@@ -11,8 +11,8 @@
 
 namespace scree {
 
-/// Triangles over shared vertices. A surface is touched from both sides; the order of a facet's vertices (right
-/// hand rule for the outward normal) matters only where a closed solid is meant.
+/// Triangles over shared vertices. A surface is touched from both sides; the order of a facet's vertices
+/// (right hand rule for the outward normal) matters only where a closed solid is meant.
 struct TriangleMesh {
   using Facet = std::array<std::uint32_t, 3>;
 

@@ -25,7 +25,7 @@ struct DragSetup {
                 .normal_stiffness = 1.75e7, // N/m, of a particle [paper, Table 1]
                 .shear_stiffness = 1.75e7,  // N/m [paper, Table 1]
                 .friction = 0.53,           // [paper, Table 1]
-                .restitution = 0.4};
+                .restitution = 0.6};
   Stiffness stiffness = Stiffness::of_particle;
   MassConvention mass_convention = MassConvention::sum_of_spheres;
   double size_factor = 1.0; ///< on the sieve sizes
@@ -37,13 +37,13 @@ struct DragSetup {
                  .normal_stiffness = 1.75e7,
                  .shear_stiffness = 1.75e7,
                  .friction = 0.4,
-                 .restitution = 0.4};
+                 .restitution = 0.6};
   Material floor{.name = "trough",
                  .density = 1000.0,
                  .normal_stiffness = 1.75e7,
                  .shear_stiffness = 1.75e7,
                  .friction = 0.53,
-                 .restitution = 0.4};
+                 .restitution = 0.6};
 
   // The bed: three buckets wide, ten long, three high [paper, section 3].
   double bed_length = 3.0;  ///< m [paper]
@@ -90,14 +90,15 @@ struct DragSetup {
 /// All ours.
 inline DragSetup desk_drag() {
   DragSetup s;
-  s.size_factor = 2.2;
-  s.rock.normal_stiffness = s.rock.shear_stiffness = 2e5;
-  s.steel.normal_stiffness = s.steel.shear_stiffness = 2e5;
-  s.floor.normal_stiffness = s.floor.shear_stiffness = 2e5;
-  s.bed_length = 2.0;
-  s.bed_width = 0.6;
-  s.bed_depth = 0.3;
-  s.drag_speed = 0.5;
+  s.size_factor = 1.1;
+  s.rock.normal_stiffness = s.rock.shear_stiffness = 1e5;
+  s.steel.normal_stiffness = s.steel.shear_stiffness = 1e5;
+  s.floor.normal_stiffness = s.floor.shear_stiffness = 1e5;
+  s.bed_length = 1.52;
+  s.bed_width = 0.42;
+  s.bed_depth = 0.2;
+  s.bucket_start = 0.05;
+  s.drag_speed = 0.75;
   s.ramp = 0.1;
   s.rope_stiffness = 5e4;
   s.rope_damping = 50.0;

@@ -37,7 +37,7 @@ struct BedReport {
   double bulk_density = 0.0;    ///< kg/m3, of all grains below the brim over the volume of the trough
   std::size_t poured = 0, kept = 0;
   std::vector<DrawnClump> drawn{}; ///< what was poured, for its histogram
-  double duration = 0.0; ///< s, simulated
+  double duration = 0.0;           ///< s, simulated
 };
 
 /// Stages that `settle_bed` reports to its observer.

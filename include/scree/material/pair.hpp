@@ -51,9 +51,9 @@ struct PairMaterial {
 
 /// Values of a pair of materials that were measured for the pair, in place of the mixed ones.
 struct PairOverride {
-  std::optional<double> friction;
-  std::optional<double> restitution;
-  std::optional<double> rolling_friction;
+  std::optional<double> friction{};
+  std::optional<double> restitution{};
+  std::optional<double> rolling_friction{};
 };
 
 /// Damping ratio of a linear spring and dashpot that gives the restitution e in a free normal impact,

@@ -35,6 +35,8 @@ public:
   [[nodiscard]] std::span<const OneWallBlock> wall_blocks() const { return wall_blocks_; }
   [[nodiscard]] OneWallBlock& wall_block(std::size_t b) { return wall_blocks_[b]; }
   [[nodiscard]] std::span<ForceRecord<Real>> slots() { return slots_; }
+  /// For each wall, how many spheres touch it or may soon; empty before the lists were made.
+  [[nodiscard]] std::span<const std::size_t> near_walls() const { return near_walls_; }
   [[nodiscard]] std::size_t renewals() const { return renewals_; }
 
   /// Says that bodies, walls or what is fixed have changed.
@@ -51,11 +53,15 @@ public:
   bool keep_valid(std::size_t step, double time, const Domain& domain, Bodies<Real>& bodies,
                   std::span<const AnyWall> walls, Workers& workers) {
     const bool sort = sort_due(step);
-    if (valid_ && !sort && !outlived(bodies)) {
+    // At fixed steps, not at renewals, so that all searches wrap, and round, alike.
+    const bool wrap_now = domain.periodic() && step % wrap_interval == 0;
+    if (valid_ && !sort && !wrap_now && !outlived(bodies)) {
       return false;
     }
     check_positions(bodies, time);
-    domain.wrap(bodies);
+    if (wrap_now) {
+      wrap(domain, bodies, walls);
+    }
     if (sort) {
       rearrange(spatial_order(bodies), bodies, workers);
       sorted_at_ = step;
@@ -98,10 +104,26 @@ public:
   }
 
 private:
+  static constexpr std::size_t wrap_interval = 100; // steps; ours
   static constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
 
   [[nodiscard]] bool sort_due(std::size_t step) const {
     return sort_interval_ > 0 && (sorted_at_ == never || (step % sort_interval_ == 0 && step != sorted_at_));
+  }
+
+  /// Brings bodies back into a periodic domain, and what is known of their wall contacts with them.
+  void wrap(const Domain& domain, Bodies<Real>& bodies, std::span<const AnyWall> walls) {
+    std::vector<Vector> shift(bodies.size(), Vector::Zero());
+    if (!domain.wrap(bodies, [&](std::size_t b, const Vector& by) { shift[b] = by; })) {
+      return;
+    }
+    for (OneWallBlock& block : wall_blocks_) {
+      for (auto& contact : block.contacts) {
+        const Vector& by = shift[bodies.body_of(contact.sphere)];
+        contact.point += by;
+        contact.at += walls[contact.wall].motion.orientation.conjugate() * by;
+      }
+    }
   }
 
   static void check_positions(const Bodies<Real>& bodies, double time) {
@@ -172,6 +194,7 @@ private:
       contacts.insert(contacts.end(), block.contacts.begin(), block.contacts.end());
     }
     wall_blocks_.resize(blocks_.size());
+    near_walls_.assign(walls.size(), 0);
     workers.for_each(blocks_.size(), [&](std::size_t b) {
       find_wall_candidates(blocks_[b], bodies, walls, skin_, wall_blocks_[b]);
       const auto before = [](const auto& contact, std::size_t s) { return contact.sphere < s; };
@@ -179,6 +202,11 @@ private:
           std::lower_bound(contacts.begin(), contacts.end(), blocks_[b].first_sphere, before),
           std::lower_bound(contacts.begin(), contacts.end(), blocks_[b].end_sphere, before));
     });
+    for (const OneWallBlock& block : wall_blocks_) {
+      for (const WallCandidate& candidate : block.candidates) {
+        ++near_walls_[candidate.wall];
+      }
+    }
   }
 
   Search search_;
@@ -190,6 +218,7 @@ private:
   std::vector<Block> blocks_;
   std::vector<OneWallBlock> wall_blocks_;
   std::vector<ForceRecord<Real>> slots_;
+  std::vector<std::size_t> near_walls_;
   std::size_t slot_count_ = 0;
   std::vector<Vec3<double>> listed_at_;
   double skin_ = 0.0, travel_ = 0.0, wall_travel_ = 0.0;

@@ -35,9 +35,11 @@ public:
   /// m, by which image number `image` (see Partner) of a sphere is away from the sphere.
   [[nodiscard]] const Vec3<double>& shift(std::uint32_t image) const { return shifts_[image]; }
 
-  /// Brings the centres of all free bodies back into the domain.
-  template <class Real>
-  void wrap(Bodies<Real>& bodies) const {
+  /// Brings the centres of all bodies back into the domain and calls `shifted(b, by)` for each that was
+  /// outside, with the way [m] that it was moved. Returns whether there was one.
+  template <class Real, class Shifted>
+  bool wrap(Bodies<Real>& bodies, Shifted shifted) const {
+    bool any = false;
     for (std::size_t b = 0; b < bodies.size(); ++b) {
       const Vector x = bodies.position(b);
       Vector by = Vector::Zero();
@@ -48,8 +50,11 @@ public:
       }
       if (!by.isZero(0.0)) {
         bodies.shift(b, by);
+        shifted(b, by);
+        any = true;
       }
     }
+    return any;
   }
 
   /// The owner and image of a ball behind the owned ones.
@@ -68,6 +73,8 @@ public:
                             " m must be at least three times the reach of a contact, ", 3.0 * reach, " m"));
       }
     }
+    // Members of clumps, and bodies that have not been wrapped for a while, lie beyond the domain themselves.
+    const Box3 occupied = bounds(balls);
     const std::size_t owned = balls.size();
     for (std::uint32_t image = 0; image < shifts_.size(); ++image) {
       if (image == Partner::here || !exists(image)) {
@@ -75,7 +82,7 @@ public:
       }
       for (std::size_t k = 0; k < owned; ++k) {
         const Ball moved{balls[k].centre + shifts_[image], balls[k].radius};
-        if (near(moved.centre, reach)) {
+        if (near(occupied, moved.centre, reach)) {
           balls.push_back(moved);
           images.push_back({static_cast<std::uint32_t>(k), image});
         }
@@ -94,12 +101,20 @@ private:
     return true;
   }
 
-  /// Members of a clump reach beyond its centre, hence the full reach on either side.
-  [[nodiscard]] bool near(const Vec3<double>& p, double reach) const {
-    const std::array<double, 3> x{p.x, p.y, p.z};
-    for (std::size_t d = 0; d < 3; ++d) {
-      const double length = period_[static_cast<int>(d)];
-      if (length > 0.0 && (x[d] < -reach || x[d] > length + reach)) {
+  using Box3 = Eigen::AlignedBox3d;
+
+  static Box3 bounds(std::span<const Ball> balls) {
+    Box3 box;
+    for (const Ball& ball : balls) {
+      box.extend(to_eigen(ball.centre));
+    }
+    return box;
+  }
+
+  [[nodiscard]] bool near(const Box3& occupied, const Vec3<double>& place, double reach) const {
+    const Vector x = to_eigen(place);
+    for (int d = 0; d < 3; ++d) {
+      if (period_[d] > 0.0 && (x[d] < occupied.min()[d] - reach || x[d] > occupied.max()[d] + reach)) {
         return false;
       }
     }

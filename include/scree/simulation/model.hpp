@@ -164,7 +164,7 @@ struct Setup {
   Vector gravity = Vector{0.0, 0.0, -9.81};     ///< m/s2
   Vector period = Vector::Zero();               ///< m, from 0 in each direction; 0: not periodic
   double time_step = 0.0;                       ///< s; 0: the stable one
-  double step_safety = 0.5;         ///< share of the critical time step that counts as stable, in (0, 1]
+  double step_safety = 0.8;         ///< share of the critical time step that counts as stable, in (0, 1]
   double top_speed = 1.0;           ///< m/s, of impacts, for the stiffness of Hertzian contacts, above 0
   double local_damping = 0.0;       ///< non-viscous, alpha in [0, 1): F_d = -alpha |F| sign(v)
   unsigned threads = 1;             ///< 0: one for each processor

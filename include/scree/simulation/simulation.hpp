@@ -222,7 +222,8 @@ public:
   }
   /// The critical time step of what is there now and the pair or rope that sets it.
   [[nodiscard]] StepLimit step_limit() const {
-    return scree::step_limit(bodies_, walls(), materials_, setup_.contact, setup_.top_speed);
+    return scree::step_limit(bodies_, walls(), materials_, setup_.contact, setup_.top_speed,
+                             lists_.near_walls());
   }
 
   // ---- observing ----
@@ -433,13 +434,22 @@ private:
   }
 
   [[noreturn]] void report_runaway() const {
+    std::size_t worst = 0;
+    double most = -1.0;
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
-      if (!bodies_.velocity(b).allFinite() || !bodies_.angular_velocity(b).allFinite()) {
-        throw Error(message("body ", bodies_.id(b), " has a velocity that is not a number at t = ", time_,
-                            " s: a time step too long, an initial overlap or a stiffness out of proportion"));
+      const double size =
+          bodies_.velocity(b).cwiseAbs().maxCoeff() + bodies_.angular_velocity(b).cwiseAbs().maxCoeff();
+      if (!(size <= most)) {
+        worst = b;
+        most = size;
+        if (!std::isfinite(size)) {
+          break;
+        }
       }
     }
-    throw Error(message("a velocity is not a number at t = ", time_, " s"));
+    throw Error(message("body ", bodies_.id(worst),
+                        " has a velocity that is not a number or beyond all bounds at t = ", time_,
+                        " s: a time step too long, an initial overlap or a stiffness out of proportion"));
   }
 
   // ---- observing ----

@@ -32,10 +32,11 @@ inline double critical_step(double squared_frequency, double damping_ratio) {
          (std::sqrt(1.0 + damping_ratio * damping_ratio) - damping_ratio);
 }
 
-/// How many contacts of full stiffness a body in a dense bed has along its softest motion: a sphere held by z
-/// equal contacts of k_n = k_s feels z (k_n + 2 k_s) / 3 in translation and 5/3 z k_s in rotation, and its
-/// partners may swing against it. Ours; a test finds the true limit of dense packings above it.
-inline constexpr double crowding = 3.0;
+/// By how much a dense bed is stiffer than one contact. In the fastest motion of a dense packing (fcc, hcp)
+/// of equal spheres with k_s = k_n all of them spin alike: squared frequency 40 k/m, where one pair has 7
+/// k/m, so 40/7; rounded up to 6. The damping ratio of a contact acts in that motion as the ratio times
+/// sqrt(6 mobility m*).
+inline constexpr double crowding = 6.0;
 
 /// What the softest body of one material looks like to a contact.
 struct Softest {

@@ -24,8 +24,13 @@ template <ContactLaw Law, class Real, class AnyWall>
 class StepLimitSearch {
 public:
   StepLimitSearch(const Bodies<Real>& bodies, std::span<const AnyWall> walls, const MaterialTable& materials,
-                  const Law& law, double top_speed)
-      : walls_{walls}, materials_{materials}, law_{law}, top_speed_{top_speed}, softest_(materials.size()) {
+                  const Law& law, double top_speed, std::span<const std::size_t> near_walls)
+      : walls_{walls},
+        materials_{materials},
+        law_{law},
+        top_speed_{top_speed},
+        near_walls_{near_walls},
+        softest_(materials.size()) {
     for (std::size_t m = 0; m < softest_.size(); ++m) {
       softest_[m] = softest(bodies, id(m));
     }
@@ -37,13 +42,16 @@ public:
         by_grains(a, b);
       }
     }
-    for (const AnyWall& wall : walls_) {
+    for (std::size_t w = 0; w < walls_.size(); ++w) {
+      const AnyWall& wall = walls_[w];
       for (const WallSurface& surface : wall.surfaces) {
         for (std::size_t a = 0; a < softest_.size(); ++a) {
           by_grain_on(surface.material(), a);
         }
       }
-      std::visit([&](const auto& dynamics) { by_wall(wall, dynamics); }, wall.dynamics);
+      std::visit(
+          [&](const auto& dynamics) { by_wall(wall, w < near_walls_.size() ? near_walls_[w] : 0, dynamics); },
+          wall.dynamics);
     }
     return limit_;
   }
@@ -81,40 +89,57 @@ private:
     const double stiffest = std::max(k.normal, k.shear);
     const double rate = std::max(pair.normal_damping_rate, pair.shear_damping_rate);
     const double rate_ratio = stiffest > 0.0 ? 0.5 * rate * std::sqrt(mass / stiffest) : 0.0;
-    limit_.lower_to(critical_step(crowding * stiffest * mobility, pair.damping_ratio + rate_ratio),
+    const double damping = (pair.damping_ratio + rate_ratio) * std::sqrt(crowding * mobility * mass);
+    limit_.lower_to(critical_step(crowding * stiffest * mobility, damping),
                     [&] { return message(who(), " of ", stiffest, " N/m"); });
   }
 
-  /// A wall that gives way is held by its ropes and by the grains that touch it now.
+  /// A wall that gives way is held by its ropes and by the `near` spheres that touch it or may soon.
   template <class Dynamics>
-  void by_wall(const AnyWall& wall, const Dynamics& dynamics) {
-    double squared_frequency = 0.0;
+  void by_wall(const AnyWall& wall, std::size_t near, const Dynamics& dynamics) {
+    double squared_frequency = 0.0, damping_rate = 0.0; // rad2/s2, 1/s
     std::string cause;
     if constexpr (IsHeld<Dynamics>) {
       squared_frequency += dynamics.squared_frequency();
       cause = dynamics.holder();
+      if constexpr (requires { dynamics.damping_rate(); }) {
+        damping_rate += dynamics.damping_rate();
+      }
     }
     if constexpr (GivesWay<Dynamics>) {
-      if (const std::size_t touching = wall.load.contacts; touching > 0) {
-        const double arm = std::isfinite(wall.extent()) ? wall.extent() : 0.0;
-        squared_frequency += static_cast<double>(touching) * stiffest_on(wall) * dynamics.mobility(arm);
-        cause += message(cause.empty() ? "" : " and ", touching, " contacts of grains");
+      if (near > 0) {
+        const double mobility = dynamics.mobility(std::isfinite(wall.extent()) ? wall.extent() : 0.0);
+        const Grip grip = stiffest_on(wall);
+        squared_frequency += static_cast<double>(near) * grip.stiffness * mobility;
+        damping_rate += static_cast<double>(near) * grip.damping * mobility;
+        cause += message(cause.empty() ? "" : " and ", near, " spheres that touch it or may soon");
       }
     }
     if (squared_frequency > 0.0) {
-      limit_.lower_to(critical_step(squared_frequency, 0.0),
+      limit_.lower_to(critical_step(squared_frequency, 0.5 * damping_rate / std::sqrt(squared_frequency)),
                       [&] { return message("wall '", wall.name, "': ", cause); });
     }
   }
 
-  [[nodiscard]] double stiffest_on(const AnyWall& wall) const {
-    double most = 0.0;
+  /// Of one contact of a grain with a wall.
+  struct Grip {
+    double stiffness = 0.0; ///< N/m
+    double damping = 0.0;   ///< N s/m
+  };
+
+  [[nodiscard]] Grip stiffest_on(const AnyWall& wall) const {
+    Grip most;
     for (const WallSurface& surface : wall.surfaces) {
       for (std::size_t m = 0; m < softest_.size(); ++m) {
-        if (softest_[m].mobility > 0.0) {
-          const ContactStiffness k = law_.stiffness(materials_.pair(id(m), surface.material()),
-                                                    softest_[m].radius, softest_[m].mass, top_speed_);
-          most = std::max({most, k.normal, k.shear});
+        const Softest& body = softest_[m];
+        if (body.mobility > 0.0) {
+          const auto pair = materials_.pair(id(m), surface.material());
+          const ContactStiffness k = law_.stiffness(pair, body.radius, body.mass, top_speed_);
+          const double stiffness = std::max(k.normal, k.shear);
+          const double rate = std::max(pair.normal_damping_rate, pair.shear_damping_rate);
+          most.stiffness = std::max(most.stiffness, stiffness);
+          most.damping = std::max(most.damping, 2.0 * pair.damping_ratio * std::sqrt(stiffness * body.mass) +
+                                                    rate * body.mass);
         }
       }
     }
@@ -125,16 +150,18 @@ private:
   const MaterialTable& materials_;
   const Law& law_;
   double top_speed_;
+  std::span<const std::size_t> near_walls_;
   std::vector<Softest> softest_;
   StepLimit limit_;
 };
 
-/// The critical step of bodies and walls under a law.
-/// \throws Error where the law lacks a constant of a pair of materials that can touch.
+/// The critical step of bodies and walls under a law. `near_walls`: how many spheres are near each wall; none
+/// if not yet known. \throws Error where the law lacks a constant of a pair of materials that can touch.
 template <ContactLaw Law, class Real, class AnyWall>
 StepLimit step_limit(const Bodies<Real>& bodies, std::span<const AnyWall> walls,
-                     const MaterialTable& materials, const Law& law, double top_speed) {
-  return StepLimitSearch<Law, Real, AnyWall>{bodies, walls, materials, law, top_speed}.find();
+                     const MaterialTable& materials, const Law& law, double top_speed,
+                     std::span<const std::size_t> near_walls = {}) {
+  return StepLimitSearch<Law, Real, AnyWall>{bodies, walls, materials, law, top_speed, near_walls}.find();
 }
 
 } // namespace scree

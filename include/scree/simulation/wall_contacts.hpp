@@ -143,7 +143,7 @@ void add_wall_forces(const Law& law, const PairMaterials& pair_material, std::sp
       k.velocity = sphere.velocity - cross(sphere.angular_velocity, k.normal) * static_cast<Real>(arm) -
                    to_vec3<Real>(wall.motion.velocity_at(now.point));
       k.reduced_radius = static_cast<Real>(sphere.radius);
-      k.reduced_mass = Real{1} / sphere.inverse_mass;
+      k.reduced_mass = Real{1} / (sphere.inverse_mass + static_cast<Real>(wall.inverse_mass()));
       k.turn = to_vec3<Real>(tilt) + k.normal * (Real(0.5) * dot(k.spin_i + k.spin_j, k.normal) * dt);
       k.dt = dt;
       const ContactForce<Real> f =

@@ -17,6 +17,8 @@
 ///     // rad2/s2, of what holds the wall besides the grains (ropes), and its name for messages.
 ///     double squared_frequency() const;
 ///     std::string holder() const;
+///     // 1/s, where what holds it also damps: damping coefficient times mobility, summed.
+///     double damping_rate() const;
 ///
 /// Given by the library: Fixed, Prescribed, ForceControlled, RopeCoupled.
 

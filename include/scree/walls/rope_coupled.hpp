@@ -85,6 +85,15 @@ public:
     }
     return sum;
   }
+  /// 1/s, of all rope dashpots as one at their hitches.
+  [[nodiscard]] double damping_rate() const {
+    double sum = 0.0;
+    for (const Rope& rope : ropes_) {
+      const double arm2 = (rope.hitch - centre_).squaredNorm();
+      sum += rope.damping * (1.0 / mass_ + arm2 / inertia_.minCoeff());
+    }
+    return sum;
+  }
   [[nodiscard]] std::string holder() const {
     const Rope* stiffest = nullptr;
     for (const Rope& rope : ropes_) {

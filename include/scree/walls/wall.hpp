@@ -92,6 +92,19 @@ struct Wall {
   WallMotion motion{};
   WallLoad load{};
 
+  /// 1/kg, as a contact sees it; 0 for a wall that does not give way to forces.
+  [[nodiscard]] double inverse_mass() const {
+    return std::visit(
+        [](const auto& d) {
+          if constexpr (GivesWay<std::decay_t<decltype(d)>>) {
+            return static_cast<double>(d.mobility(0.0));
+          } else {
+            return 0.0;
+          }
+        },
+        dynamics);
+  }
+
   /// m, of its farthest point from the origin of its frame.
   [[nodiscard]] double extent() const {
     double most = 0.0;
