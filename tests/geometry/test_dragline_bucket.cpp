@@ -136,7 +136,9 @@ TEST_CASE("the body has the dimensions asked for, in the bucket frame") {
       const auto tooth = bounding_box(parts[1 + i]);
       CHECK(tooth.max().x() == doctest::Approx(0.35 + bucket.tooth_length));
       CHECK(tooth.center().y() == doctest::Approx(0.08 * (static_cast<double>(i) - 2.0)));
-      CHECK(tooth.min().z() > 0.0);
+      // Leaned down from where it leaves the lip; its underside starts within the lip's edge.
+      const double drop = std::tan(bucket.tooth_angle) * (bucket.tooth_length + bucket.lip_bevel);
+      CHECK(tooth.min().z() == doctest::Approx(0.5 * bucket.lip_edge - drop));
     }
   }
   const auto whole = bounding_box(make_dragline_bucket(bucket, BucketDetail::detailed));

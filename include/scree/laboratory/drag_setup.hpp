@@ -36,7 +36,7 @@ struct DragSetup {
                  .density = 7850.0,
                  .normal_stiffness = 1.75e7,
                  .shear_stiffness = 1.75e7,
-                 .friction = 0.4,
+                 .friction = 0.3,
                  .restitution = 0.6};
   Material floor{.name = "trough",
                  .density = 1000.0,
