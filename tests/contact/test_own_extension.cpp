@@ -44,7 +44,7 @@ Material material() {
 /// m, below a ceiling after half a second, of a sphere that was pressed against it by `overlap`.
 double depth_below_ceiling(double pull) {
   const Clump ball = make_clump("ball", std::vector<Sphere>{{Vector::Zero(), radius}});
-  Simulation<Sticky> sim{{.contact = LinearSpring<Adhesion>{Adhesion{pull}}, .time_step = 2e-5}};
+  Simulation<Sticky> sim{{.contact = LinearSpring<Adhesion>{Adhesion{pull}}, .time_step = 1e-5}};
   const auto rock = sim.add_material(material());
   sim.add_wall(
       {.name = "ceiling", .surfaces = {{Plane{.normal = -Vector::UnitZ()}, rock}}, .dynamics = Fixed{}});

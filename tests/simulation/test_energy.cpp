@@ -141,7 +141,7 @@ template <class Model>
 void check_rest(bool stones) {
   CAPTURE(stones);
   Bed<Model> bed{{.stones = stones, .restitution = 0.6, .local_damping = 0.5}, 0.25};
-  run_for(bed, 2.5);
+  run_for(bed, 4.0);
   CHECK(unbalanced(bed) < 1e-4);
   // And stays, without the help of the damping.
   bed.set_local_damping(0.0);
