@@ -27,6 +27,6 @@ function(scree_own_target target)
   endif()
   if(SCREE_NATIVE)
     # GCC 12 finds its own AVX-512 intrinsics uninitialised.
-    target_compile_options(${target} PRIVATE -march=native $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
+    target_compile_options(${target} PRIVATE -march=native "$<$<CXX_COMPILER_ID:GNU>:-Wno-uninitialized;-Wno-maybe-uninitialized>")
   endif()
 endfunction()

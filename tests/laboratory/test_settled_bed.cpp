@@ -27,7 +27,8 @@ Made small_bed(double porosity, std::uint64_t seed,
   Random random{seed, "bed"};
   Made made{};
   made.report = settle_bed(simulation, bed, Assembly{default_rock(), 1.3}, rock,
-                           BedRecipe{.porosity = porosity}, random, [](const auto&, const BedStage&) {});
+                           BedRecipe{.porosity = porosity, .patience = 0.8}, random,
+                           [](const auto&, const BedStage&) {});
   made.hash = state_hash(simulation.bodies());
   made.highest = -1.0;
   for (std::size_t b = 0; b < simulation.bodies().size(); ++b) {
