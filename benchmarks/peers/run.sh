@@ -8,7 +8,7 @@ root=$(CDPATH='' cd -- "$(dirname -- "$0")/../.." && pwd) || exit 1
 . "$root/cmake/setup.sh"
 
 out=$root/out/peers
-repeats=5
+repeats=7
 steps=300
 warm=100
 keep=false
