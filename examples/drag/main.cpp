@@ -36,6 +36,8 @@ Json described(const scree::BedReport& bed) {
           {"poured_porosity", bed.poured_porosity},
           {"bulk_density_kg_m3", bed.bulk_density},
           {"unbalanced_force_ratio", bed.unbalanced},
+          {"fastest_m_s", bed.fastest},
+          {"at_rest", bed.at_rest},
           {"bodies_poured", bed.poured},
           {"bodies", bed.kept},
           {"simulated_s", bed.duration}};

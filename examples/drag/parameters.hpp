@@ -134,6 +134,8 @@ inline void bind(Options& options, Parameters& p) {
   options.add("bed.settling_damping", s.bed.settling_damping, {0.0, 0.99}, "local, while the bed is made");
   options.add("bed.rest", s.bed.rest, {1e-6, 1.0},
               "mean unbalanced over mean contact force that counts as rest");
+  options.add("bed.rest_speed", s.bed.rest_speed, {1e-6, 10.0, "m/s"},
+              "that no grain exceeds in a bed at rest");
   options.add("bed.patience", s.bed.patience, {1e-3, 1e3, "s"}, "simulated, at most for each stage");
 
   options.group("Bucket: its shape");

@@ -28,7 +28,9 @@ public:
     }
   }
   Workers(const Workers&) = delete;
+  Workers(Workers&&) = delete;
   Workers& operator=(const Workers&) = delete;
+  Workers& operator=(Workers&&) = delete;
   ~Workers() {
     stop_.store(true);
     wake();

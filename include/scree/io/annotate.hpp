@@ -73,20 +73,20 @@ inline void draw_stroke(Image& image, double x0, double y0, double x1, double y1
   const double dy = y1 - y0;
   const double squared_length = dx * dx + dy * dy;
   const auto first = [reach](double a, double b) {
-    return std::max(0.0, std::floor(std::min(a, b) - reach));
+    return static_cast<int>(std::max(0.0, std::floor(std::min(a, b) - reach)));
   };
   const auto last = [reach](double a, double b, int size) {
-    return std::min(size - 1.0, std::ceil(std::max(a, b) + reach));
+    return static_cast<int>(std::min(size - 1.0, std::ceil(std::max(a, b) + reach)));
   };
-  for (double y = first(y0, y1); y <= last(y0, y1, image.height()); ++y) {
-    for (double x = first(x0, x1); x <= last(x0, x1, image.width()); ++x) {
+  for (int y = first(y0, y1); y <= last(y0, y1, image.height()); ++y) {
+    for (int x = first(x0, x1); x <= last(x0, x1, image.width()); ++x) {
       const double px = x + 0.5 - x0;
       const double py = y + 0.5 - y0;
       const double along =
           squared_length > 0.0 ? std::clamp((px * dx + py * dy) / squared_length, 0.0, 1.0) : 0.0;
       const double cover = 0.5 * width + 0.5 - std::hypot(px - along * dx, py - along * dy);
       if (cover > 0.0) {
-        auto& pixel = image.at(static_cast<int>(x), static_cast<int>(y));
+        auto& pixel = image.at(x, y);
         pixel = blend(pixel, colour, cover);
       }
     }

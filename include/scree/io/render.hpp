@@ -433,8 +433,8 @@ private:
     const Vector normal{here.normal[0], here.normal[1], here.normal[2]};
     const double pixels = reach * view_.pixels_per_metre(place.z());
     double closed = 0.0;
-    for (const auto& direction :
-         directions_[static_cast<std::size_t>(tile * (pixel_y % tile) + pixel_x % tile)]) {
+    const int of_tile = tile * (pixel_y % tile) + pixel_x % tile;
+    for (const auto& direction : directions_[static_cast<std::size_t>(of_tile)]) {
       double most = 0.0;
       for (const double radius : {0.3, 0.7, 1.3}) {
         const double sx = x + std::round(radius * pixels * direction.x());

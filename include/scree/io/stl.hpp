@@ -172,7 +172,7 @@ inline TriangleMesh read_stl_text(std::streambuf& input, const std::filesystem::
   words.expect("solid");
   words.finish_line(); // the solid's name
   while (true) {
-    const auto word = words.required("\"facet\" or \"endsolid\"");
+    const auto word = words.required(R"("facet" or "endsolid")");
     if (StlWords::same(word, "endsolid")) {
       words.finish_line();
       // Some programs write one solid after another.
@@ -188,7 +188,7 @@ inline TriangleMesh read_stl_text(std::streambuf& input, const std::filesystem::
     }
     if (!StlWords::same(word, "facet")) {
       throw words.error(
-          message("\"", StlWords::printable(word), "\" where \"facet\" or \"endsolid\" is expected"));
+          message("\"", StlWords::printable(word), R"(" where "facet" or "endsolid" is expected)"));
     }
     if (soup.facet_count() == options.max_facets) {
       throw words.error(message("more than the ", options.max_facets, " facets allowed"));

@@ -122,8 +122,9 @@ private:
   }
 
   void begin_array(std::string_view type, std::string_view name, int components, std::uint64_t size) {
-    xml_ += message("<DataArray type=\"", type, "\" Name=\"", xml_escaped(name), "\" NumberOfComponents=\"",
-                    components, "\" format=\"appended\" offset=\"", bytes_.size(), "\"/>\n");
+    xml_ +=
+        message(R"(<DataArray type=")", type, R"(" Name=")", xml_escaped(name), R"(" NumberOfComponents=")",
+                components, R"(" format="appended" offset=")", bytes_.size(), "\"/>\n");
     bytes_.reserve(bytes_.size() + sizeof size + size);
     put(size);
   }
@@ -197,8 +198,8 @@ inline void write_vtp_surface(const std::filesystem::path& file, std::span<const
   }
   detail::VtpDocument document{file};
   document.text(message("<PolyData>\n<Piece NumberOfPoints=\"", detail::vtk_size(file, vertices.size()),
-                        "\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"",
-                        count, "\">\n<Points>\n"));
+                        R"(" NumberOfVerts="0" NumberOfLines="0" NumberOfStrips="0" NumberOfPolys=")", count,
+                        "\">\n<Points>\n"));
   document.array("Points", vertices);
   document.text("</Points>\n<Polys>\n");
   document.array("connectivity", std::span<const std::uint32_t>{connectivity});

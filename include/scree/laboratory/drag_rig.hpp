@@ -6,6 +6,7 @@
 #include "scree/laboratory/drag_setup.hpp"
 #include "scree/measure/attitude.hpp"
 #include "scree/measure/bucket_fill.hpp"
+#include "scree/measure/energy.hpp"
 #include "scree/measure/surface_height.hpp"
 #include "scree/simulation/simulation.hpp"
 

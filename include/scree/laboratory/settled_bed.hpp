@@ -3,7 +3,6 @@
 /// The recipe that fills a trough with rock at rest.
 
 #include "scree/laboratory/bed_container.hpp"
-#include "scree/measure/energy.hpp"
 #include "scree/measure/porosity.hpp"
 #include "scree/measure/unbalanced_force.hpp"
 #include "scree/packing/assembly.hpp"
@@ -26,6 +25,7 @@ struct BedRecipe {
   double expected_porosity = 0.42;   ///< for how much to pour, where none is requested
   double settling_damping = 0.3;     ///< local, while the grains come to rest, in [0, 1)
   double rest = 0.05;                ///< mean unbalanced over mean contact force that counts as rest
+  double rest_speed = 0.05;          ///< m/s, that no grain exceeds in a bed at rest
   double patience = 3.0;             ///< s of simulated time for each stage, above 0
 };
 
@@ -34,6 +34,8 @@ struct BedReport {
   double porosity = 0.0;        ///< of the core, away from walls and surface
   double poured_porosity = 0.0; ///< before it was made denser
   double unbalanced = 0.0;      ///< mean unbalanced over mean contact force
+  double fastest = 0.0;         ///< m/s, of a grain
+  bool at_rest = false;         ///< whether both are within the recipe, or the patience was over first
   double bulk_density = 0.0;    ///< kg/m3, of all grains below the brim over the volume of the trough
   std::size_t poured = 0, kept = 0;
   std::vector<DrawnClump> drawn{}; ///< what was poured, for its histogram
@@ -83,11 +85,31 @@ inline Packing poured(const BedContainer& bed, const Assembly& assembly, Materia
   return pile;
 }
 
-/// Steps until the mean unbalanced force is below `rest` or the patience is over.
+/// How far a bed is from rest.
+struct Unrest {
+  double unbalanced = 1.0; ///< mean unbalanced over mean contact force
+  double fastest = 0.0;    ///< m/s, of a grain
+
+  [[nodiscard]] bool over(const BedRecipe& recipe) const {
+    return unbalanced > recipe.rest || fastest > recipe.rest_speed;
+  }
+};
+
+template <class Simulation>
+Unrest unrest(const Simulation& simulation) {
+  Unrest now{unbalanced_force(simulation).ratio(), 0.0};
+  for (std::size_t b = 0; b < simulation.bodies().size(); ++b) {
+    now.fastest = std::max(now.fastest, simulation.bodies().velocity(b).norm());
+  }
+  return now;
+}
+
+/// Steps, for `least` [s] at least, until the bed is at rest or the patience is over.
 template <class Simulation, class Watch>
-double come_to_rest(Simulation& simulation, const BedRecipe& recipe, double least, Watch& watch) {
+Unrest come_to_rest(Simulation& simulation, const BedRecipe& recipe, double least, Watch& watch) {
   const double start = simulation.time();
-  double ratio = 1.0, next = start + least;
+  Unrest now;
+  double next = start + least;
   run_while(
       simulation,
       [&](const auto& s) {
@@ -95,11 +117,11 @@ double come_to_rest(Simulation& simulation, const BedRecipe& recipe, double leas
           return true;
         }
         next = s.time() + 0.02;
-        ratio = unbalanced_force(s).ratio();
-        return ratio > recipe.rest && s.time() < start + recipe.patience;
+        now = unrest(s);
+        return now.over(recipe) && s.time() < start + recipe.patience;
       },
       watch);
-  return ratio;
+  return now;
 }
 
 } // namespace detail
@@ -160,6 +182,7 @@ BedReport settle_bed(Simulation& simulation, const BedContainer& bed, const Asse
   }
   require_positive("bed surplus", recipe.surplus);
   require("bed settling damping", recipe.settling_damping, {0.0, 0.99});
+  require_positive("bed rest speed", recipe.rest_speed, "m/s");
   require_positive("bed patience", recipe.patience, "s");
   const double start = simulation.time();
   BedReport report;
@@ -198,7 +221,10 @@ BedReport settle_bed(Simulation& simulation, const BedContainer& bed, const Asse
 
   stage = {"striking off", 0.8};
   simulation.remove_bodies([](const auto& bodies, std::size_t b) { return bodies.position(b).z() > 0.0; });
-  report.unbalanced = detail::come_to_rest(simulation, recipe, 0.05, observe);
+  const detail::Unrest left = detail::come_to_rest(simulation, recipe, 0.05, observe);
+  report.unbalanced = left.unbalanced;
+  report.fastest = left.fastest;
+  report.at_rest = !left.over(recipe);
   simulation.set_local_damping(damping);
   report.porosity = measured();
   report.kept = simulation.bodies().size();

@@ -36,8 +36,9 @@ public:
   Vector take(std::size_t level) {
     if (level == 0) {
       const std::size_t i = taken_++;
-      const Vector place{static_cast<double>(i % nx_), static_cast<double>(i / nx_ % ny_),
-                         static_cast<double>(i / (nx_ * ny_))};
+      const std::size_t row = i / nx_, layer = row / ny_;
+      const Vector place{static_cast<double>(i % nx_), static_cast<double>(row % ny_),
+                         static_cast<double>(layer)};
       return corner_ + edges_.cwiseProduct(place);
     }
     if (free_.size() <= level) {
@@ -51,7 +52,7 @@ public:
         free_[level].emplace_back(parent + edges(level).cwiseProduct(place));
       }
     }
-    const Vector cell = free_[level].back();
+    Vector cell = free_[level].back();
     free_[level].pop_back();
     return cell;
   }
