@@ -1,6 +1,7 @@
 #include "scree/geometry/closest_point.hpp"
 
 #include "scree/core/random.hpp"
+#include "support/relative_error.hpp"
 
 #include <doctest/doctest.h>
 
@@ -120,7 +121,7 @@ TEST_CASE("the order of the corners does not move the closest point") {
     const Vector first = closest_point(t, p).point;
     for (const Triangle& other : {Triangle{t[1], t[2], t[0]}, Triangle{t[2], t[1], t[0]}}) {
       const double distance = (first - p).norm();
-      REQUIRE((closest_point(other, p).point - p).norm() == doctest::Approx(distance).epsilon(1e-10));
+      REQUIRE((closest_point(other, p).point - p).norm() == test::about(distance, 1e-10));
     }
   }
 }

@@ -1,5 +1,6 @@
 #include "scree/core/random.hpp"
 #include "scree/geometry/clump.hpp"
+#include "support/relative_error.hpp"
 
 #include <doctest/doctest.h>
 
@@ -41,7 +42,7 @@ TEST_CASE("a clump lies in its principal frame") {
     const MassProperties p = convention == MassConvention::union_of_spheres
                                  ? union_properties(clump.spheres)
                                  : sum_of_spheres_properties(clump.spheres);
-    CHECK(clump.volume == doctest::Approx(p.mass).epsilon(1e-12));
+    CHECK(clump.volume == test::about(p.mass, 1e-12));
     CHECK(p.centre.norm() < 1e-12);
     CHECK((p.inertia - Matrix(clump.inertia.asDiagonal())).norm() < 1e-11);
     CHECK(clump.inertia[0] < clump.inertia[1]);
@@ -54,8 +55,7 @@ TEST_CASE("a clump lies in its principal frame") {
     const Vector centre = convention == MassConvention::union_of_spheres
                               ? union_properties(spheres).centre
                               : sum_of_spheres_properties(spheres).centre;
-    CHECK(handedness(clump.spheres, Vector::Zero()) ==
-          doctest::Approx(handedness(spheres, centre)).epsilon(1e-9));
+    CHECK(handedness(clump.spheres, Vector::Zero()) == test::about(handedness(spheres, centre), 1e-9));
   }
 }
 
@@ -66,7 +66,7 @@ TEST_CASE("the conventions differ in mass, not in the volume that is filled") {
   for (const Sphere& s : uneven) {
     sum += 4.0 / 3.0 * std::numbers::pi * std::pow(s.radius, 3);
   }
-  CHECK(summed.volume == doctest::Approx(sum).epsilon(1e-14));
+  CHECK(summed.volume == test::about(sum, 1e-14));
   CHECK(united.volume < 0.95 * sum);
   CHECK(united.union_volume == united.volume);
   CHECK(summed.union_volume == united.volume);
@@ -80,7 +80,7 @@ TEST_CASE("a lone sphere is centred and isotropic to the bit") {
     CHECK(c.spheres[0].radius == 0.7);
     CHECK(c.bounding_radius == 0.7);
     CHECK(c.inertia == Vector::Constant(c.inertia[0]));
-    CHECK(c.inertia[0] == doctest::Approx(0.4 * c.volume * 0.49).epsilon(1e-15));
+    CHECK(c.inertia[0] == test::about(0.4 * c.volume * 0.49, 1e-15));
   }
 }
 
@@ -113,7 +113,7 @@ TEST_CASE("principal axes diagonalise, are right-handed and keep given axes wher
       CHECK((p.moments - moments).norm() < 1e-11);
       CHECK((p.axes * p.moments.asDiagonal() * p.axes.transpose() - inertia).norm() < 1e-11);
       CHECK((p.axes.transpose() * p.axes - Matrix::Identity()).norm() < 1e-12);
-      CHECK(p.axes.determinant() == doctest::Approx(1.0).epsilon(1e-12));
+      CHECK(p.axes.determinant() == test::about(1.0, 1e-12));
     }
   }
 }
@@ -124,7 +124,7 @@ TEST_CASE("the same clump comes out however it is turned") {
   for (int i = 0; i < 10; ++i) {
     const Clump c = make_clump("uneven", moved(uneven, random.orientation(), Vector{1.0, -2.0, 0.5}));
     CHECK((c.inertia - reference.inertia).norm() < 1e-11);
-    CHECK(c.bounding_radius == doctest::Approx(reference.bounding_radius).epsilon(1e-11));
+    CHECK(c.bounding_radius == test::about(reference.bounding_radius, 1e-11));
     // The sense of the axes is free: up to a half turn about one of them the spheres are in the same places.
     double nearest = std::numeric_limits<double>::infinity();
     for (const Vector& signs : {Vector{1, 1, 1}, Vector{1, -1, -1}, Vector{-1, 1, -1}, Vector{-1, -1, 1}}) {
@@ -148,9 +148,9 @@ TEST_CASE("a scaled clump is the clump of scaled spheres") {
     }
     const Clump direct = make_clump("uneven", small, convention);
     const Clump c = scaled(make_clump("uneven", uneven, convention), factor);
-    CHECK(c.volume == doctest::Approx(direct.volume).epsilon(1e-12));
-    CHECK(c.union_volume == doctest::Approx(direct.union_volume).epsilon(1e-12));
-    CHECK(c.bounding_radius == doctest::Approx(direct.bounding_radius).epsilon(1e-12));
+    CHECK(c.volume == test::about(direct.volume, 1e-12));
+    CHECK(c.union_volume == test::about(direct.union_volume, 1e-12));
+    CHECK(c.bounding_radius == test::about(direct.bounding_radius, 1e-12));
     CHECK((c.inertia - direct.inertia).norm() < 1e-12 * direct.inertia.norm());
     CHECK(largest_distance(c.spheres, direct.spheres) < 1e-12);
     CHECK(c.convention == convention);

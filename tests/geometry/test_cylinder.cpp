@@ -1,6 +1,7 @@
 #include "scree/geometry/cylinder.hpp"
 
 #include "scree/core/random.hpp"
+#include "support/relative_error.hpp"
 
 #include <doctest/doctest.h>
 
@@ -28,7 +29,7 @@ TEST_CASE("a sphere inside a tube is pushed towards the axis") {
   CHECK(touch(tube, {1.3, 2.0, 4.0}, 0.19).empty());
   const auto contacts = touch(tube, {1.3, 2.0, 4.0}, 0.21);
   REQUIRE(contacts.size() == 1);
-  CHECK(contacts[0].overlap == doctest::Approx(0.01));
+  CHECK(contacts[0].overlap == test::about(0.01));
   CHECK((contacts[0].normal - Vector{-1, 0, 0}).norm() < 1e-15);
   CHECK((contacts[0].point - Vector{1.5, 2.0, 4.0}).norm() < 1e-15);
 }
@@ -37,7 +38,7 @@ TEST_CASE("a sphere on a roller is pushed away from the axis") {
   CHECK(touch(roller, {1.0, 2.7, 3.5}, 0.19).empty());
   const auto contacts = touch(roller, {1.0, 2.7, 3.5}, 0.21);
   REQUIRE(contacts.size() == 1);
-  CHECK(contacts[0].overlap == doctest::Approx(0.01));
+  CHECK(contacts[0].overlap == test::about(0.01));
   CHECK((contacts[0].normal - Vector{0, 1, 0}).norm() < 1e-15);
   CHECK((contacts[0].point - Vector{1.0, 2.5, 3.5}).norm() < 1e-15);
 }
@@ -52,7 +53,7 @@ TEST_CASE("beyond an end a sphere touches the rim, from either side of the mantl
         CHECK(touch(cylinder, centre, 0.0499).empty()); // 0.05 away
         const auto contacts = touch(cylinder, centre, 0.06);
         REQUIRE(contacts.size() == 1);
-        CHECK(contacts[0].overlap == doctest::Approx(0.01));
+        CHECK(contacts[0].overlap == test::about(0.01));
         CHECK((contacts[0].normal - (centre - rim) / 0.05).norm() < 1e-12);
         CHECK((contacts[0].point - rim).norm() < 1e-12);
       }
@@ -67,7 +68,7 @@ TEST_CASE("overlap and normal are continuous where the mantle ends") {
       const auto above = touch(cylinder, {1.0, 2.0 + off, end + 1e-9}, 0.1);
       REQUIRE(below.size() == 1);
       REQUIRE(above.size() == 1);
-      CHECK(below[0].overlap == doctest::Approx(above[0].overlap).epsilon(1e-7));
+      CHECK(below[0].overlap == test::about(above[0].overlap, 1e-7));
       CHECK((below[0].normal - above[0].normal).norm() < 1e-7);
       CHECK((below[0].point - above[0].point).norm() < 1e-7);
     }
@@ -106,7 +107,7 @@ TEST_CASE("the contact of a tilted cylinder is the nearest point of its mantle")
     CHECK(distance <= (nearest - centre).norm() + 1e-12);
     CHECK((contacts[0].point - nearest).norm() < 0.01);
     CHECK((centre - contacts[0].point - distance * contacts[0].normal).norm() < 1e-12);
-    CHECK(contacts[0].normal.norm() == doctest::Approx(1.0));
+    CHECK(contacts[0].normal.norm() == test::about(1.0));
   }
 }
 
@@ -115,7 +116,7 @@ TEST_CASE("a cylinder without ends has no rim") {
   for (const double x : {-1e6, 0.0, 1e6}) {
     const auto contacts = touch(endless, {x, 0.95, 0.0}, 0.1);
     REQUIRE(contacts.size() == 1);
-    CHECK(contacts[0].overlap == doctest::Approx(0.05));
+    CHECK(contacts[0].overlap == test::about(0.05));
     CHECK((contacts[0].normal - Vector{0, -1, 0}).norm() < 1e-12);
     CHECK(endless.near({x, 0.95, 0.0}, 0.1));
   }

@@ -1,6 +1,7 @@
 #include "scree/core/random.hpp"
 #include "scree/geometry/dragline_bucket.hpp"
 #include "scree/geometry/mesh_topology.hpp"
+#include "support/relative_error.hpp"
 
 #include <doctest/doctest.h>
 
@@ -134,15 +135,15 @@ TEST_CASE("the body has the dimensions asked for, in the bucket frame") {
     // The teeth reach forward from the lip, evenly spaced from right to left.
     for (std::size_t i = 0; i < 5; ++i) {
       const auto tooth = bounding_box(parts[1 + i]);
-      CHECK(tooth.max().x() == doctest::Approx(0.35 + bucket.tooth_length));
-      CHECK(tooth.center().y() == doctest::Approx(0.08 * (static_cast<double>(i) - 2.0)));
+      CHECK(tooth.max().x() == test::about(0.35 + bucket.tooth_length));
+      CHECK(tooth.center().y() == test::about(0.08 * (static_cast<double>(i) - 2.0)));
       // Leaned down from where it leaves the lip; its underside starts within the lip's edge.
       const double drop = std::tan(bucket.tooth_angle) * (bucket.tooth_length + bucket.lip_bevel);
-      CHECK(tooth.min().z() == doctest::Approx(0.5 * bucket.lip_edge - drop));
+      CHECK(tooth.min().z() == test::about(0.5 * bucket.lip_edge - drop));
     }
   }
   const auto whole = bounding_box(make_dragline_bucket(bucket, BucketDetail::detailed));
-  CHECK(whole.max().z() == doctest::Approx(0.2 + bucket.arch_rise + bucket.arch_radius).epsilon(0.01));
+  CHECK(whole.max().z() == test::about(0.2 + bucket.arch_rise + bucket.arch_radius, 0.01));
 }
 
 TEST_CASE("the bucket's left is the mirror image of its right, vertex by vertex") {
@@ -165,21 +166,21 @@ TEST_CASE("the bucket's left is the mirror image of its right, vertex by vertex"
 
 TEST_CASE("the interior holds 61 m3 at 1:18") {
   const double target = 61.0 / std::pow(18.0, 3);
-  CHECK(volume(bucket_interior()) == doctest::Approx(target).epsilon(0.03));
+  CHECK(volume(bucket_interior()) == test::about(target, 0.03));
 }
 
 TEST_CASE("the interior of an upright bucket is a box less the heel") {
   const auto bucket = upright();
   const double t = bucket.plate_thickness;
   const double side = (bucket.length - t) * (bucket.height - t) - heel_area(bucket.heel_radius - t);
-  CHECK(volume(bucket_interior(bucket)) == doctest::Approx(side * (bucket.width - 2.0 * t)).epsilon(1e-12));
+  CHECK(volume(bucket_interior(bucket)) == test::about(side * (bucket.width - 2.0 * t), 1e-12));
 }
 
 TEST_CASE("the plates of an upright bucket fill what is left between outside and inside") {
   const auto bucket = upright();
   const auto body = shells(make_dragline_bucket(bucket))[0];
   const double outside = bucket.width * (bucket.length * bucket.height - heel_area(bucket.heel_radius));
-  CHECK(volume(body) == doctest::Approx(outside - volume(bucket_interior(bucket))).epsilon(1e-12));
+  CHECK(volume(body) == test::about(outside - volume(bucket_interior(bucket)), 1e-12));
 }
 
 TEST_CASE("the interior begins where the steel ends") {
@@ -187,7 +188,7 @@ TEST_CASE("the interior begins where the steel ends") {
   const auto interior = bucket_interior();
   const auto body = shells(make_dragline_bucket())[0];
   const auto bounds = bounding_box(interior);
-  CHECK(bounds.max().z() == doctest::Approx(0.175)); // struck off at the rim
+  CHECK(bounds.max().z() == test::about(0.175)); // struck off at the rim
   const Vector least = bounding_box(body).min();
   const Vector most = bounding_box(body).max();
   int inside = 0;
@@ -237,7 +238,7 @@ TEST_CASE("the plates weigh what a bucket of that volume does") {
   CHECK(steel.centre.x() > 0.10);
   CHECK(steel.centre.x() < 0.17);
   CHECK(steel.centre.z() < 0.5 * 0.175);
-  CHECK(estimated_from_plates({}, 3925.0).mass == doctest::Approx(0.5 * steel.mass));
+  CHECK(estimated_from_plates({}, 3925.0).mass == test::about(0.5 * steel.mass));
   // Positive definite, and no axis more than the other two together.
   const Vector diagonal = steel.inertia.diagonal();
   CHECK(diagonal.minCoeff() > 0.0);
@@ -252,7 +253,7 @@ TEST_CASE("thin plates have the mass and the inertia of a bent plate of no thick
   // Half of the closed surface is the outside, half the inside.
   const auto bent = plate_properties(body, 0.5 * bucket.plate_thickness, 7850.0);
   const auto solid = solid_properties(body, 7850.0);
-  CHECK(bent.mass == doctest::Approx(solid.mass).epsilon(0.005));
+  CHECK(bent.mass == test::about(solid.mass, 0.005));
   CHECK((bent.centre - solid.centre).norm() < 0.001);
   CHECK((bent.inertia - solid.inertia).norm() < 0.01 * solid.inertia.norm());
 }

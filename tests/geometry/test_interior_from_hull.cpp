@@ -2,6 +2,7 @@
 #include "scree/geometry/interior_from_hull.hpp"
 #include "scree/geometry/mesh_topology.hpp"
 #include "support/meshes.hpp"
+#include "support/relative_error.hpp"
 
 #include <doctest/doctest.h>
 
@@ -37,7 +38,7 @@ TEST_CASE("between two plates lies the box between them") {
   tessellation::append(plates, moved(box_mesh({1.0, 0.02, 0.5}), {2.0, -0.50, 1.0}));
   const auto interior = interior_from_hull(plates);
   CHECK(check(interior).clean());
-  CHECK(volume(interior) == doctest::Approx(1.0 * 0.5 * (0.29 + 0.49)).epsilon(1e-12));
+  CHECK(volume(interior) == test::about(1.0 * 0.5 * (0.29 + 0.49), 1e-12));
   const auto bounds = bounding_box(interior);
   CHECK((bounds.min() - Vector{1.5, -0.49, 0.75}).norm() < 1e-12);
   CHECK((bounds.max() - Vector{2.5, 0.29, 1.25}).norm() < 1e-12);
@@ -54,10 +55,10 @@ TEST_CASE("the hull of a bucket is its side view by its inner width") {
   CHECK(check(hull).clean());
   // The heel is a quarter of the regular polygon of 16 sides.
   const double side = bucket.length * bucket.height - r * r * (1.0 - 2.0 * std::sin(std::numbers::pi / 8.0));
-  CHECK(volume(hull) == doctest::Approx(side * (bucket.width - 2.0 * t)).epsilon(1e-12));
+  CHECK(volume(hull) == test::about(side * (bucket.width - 2.0 * t), 1e-12));
   CHECK(volume(hull) > volume(bucket_interior(bucket)));
-  CHECK(bounding_box(hull).max().y() == doctest::Approx(0.5 * bucket.width - t).epsilon(1e-12));
-  CHECK(bounding_box(hull).min().y() == doctest::Approx(t - 0.5 * bucket.width).epsilon(1e-12));
+  CHECK(bounding_box(hull).max().y() == test::about(0.5 * bucket.width - t, 1e-12));
+  CHECK(bounding_box(hull).min().y() == test::about(t - 0.5 * bucket.width, 1e-12));
 }
 
 TEST_CASE("the default bucket's hull holds its whole interior") {

@@ -1,6 +1,7 @@
 #include "scree/core/random.hpp"
 #include "scree/io/annotate.hpp"
 #include "scree/io/render.hpp"
+#include "support/relative_error.hpp"
 
 #include <doctest/doctest.h>
 
@@ -247,7 +248,7 @@ TEST_CASE("perspective: a sphere has its exact outline, off the axis too, and sh
   CHECK(wrong == 0);
   CHECK(covered > 1200);
 
-  CHECK(renderer.pixels_per_metre() == doctest::Approx(100.0));
+  CHECK(renderer.pixels_per_metre() == test::about(100.0));
   CHECK(renderer.pixel({0.5, 0, 0.25}).isApprox(Eigen::Vector2d{150, 25}));
   CHECK(renderer.pixel({0.5, 4, 0.25}).isApprox(Eigen::Vector2d{125, 37.5})); // twice as far from the eye
 }
@@ -301,7 +302,7 @@ TEST_CASE("the same scene gives the same picture, and samples soften its edges")
   renderer.sphere({0, 0, 0}, 0.3, black, 1);
   const double cover = count(renderer.image(), [](Rgb p) { return p == black; }) +
                        0.5 * count(renderer.image(), [](Rgb p) { return p != black && p != white; });
-  CHECK(cover == doctest::Approx(std::acos(-1.0) * 30 * 30).epsilon(0.01));
+  CHECK(cover == test::about(std::acos(-1.0) * 30 * 30, 0.01));
 }
 
 TEST_CASE("objects out of sight and empty ones leave the background") {
@@ -430,10 +431,10 @@ TEST_CASE("a scale bar has a round length true to scale") {
     }
     CHECK(std::abs(right - left - pixels) <= 3); // and the thickness of the ends
   }
-  CHECK(detail::round_length(0.12) == doctest::Approx(0.1));
-  CHECK(detail::round_length(0.2) == doctest::Approx(0.2));
-  CHECK(detail::round_length(4.99) == doctest::Approx(2.0));
-  CHECK(detail::round_length(500.0) == doctest::Approx(500.0));
+  CHECK(detail::round_length(0.12) == test::about(0.1));
+  CHECK(detail::round_length(0.2) == test::about(0.2));
+  CHECK(detail::round_length(4.99) == test::about(2.0));
+  CHECK(detail::round_length(500.0) == test::about(500.0));
   Image image{10, 10};
   CHECK_THROWS_AS(draw_scale_bar(image, 0.0), Error);
 }

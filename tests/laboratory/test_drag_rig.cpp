@@ -1,6 +1,7 @@
 #include "scree/geometry/dragline_bucket.hpp"
 #include "scree/laboratory/drag_rig.hpp"
 #include "scree/measure/state_hash.hpp"
+#include "support/relative_error.hpp"
 
 #include <doctest/doctest.h>
 
@@ -45,13 +46,13 @@ TEST_CASE("physics: a bucket is dragged over a bed, its grains counted and remov
       rig.advance(0.02, [](const auto&) {});
       const DragSample s = rig.sample();
       most = std::max(most, s.force);
-      CHECK(s.force == doctest::Approx(s.force_left + s.force_right));
+      CHECK(s.force == test::about(s.force_left + s.force_right));
       CHECK(s.frictional_work >= last);
       last = s.frictional_work;
     }
     // The ropes have to overcome friction at least: a fifth of the bucket's weight is far below it.
     CHECK(most > 0.2 * rig.bucket().body.mass * 9.81);
-    CHECK(rig.drag() == doctest::Approx(0.12).epsilon(0.2));
+    CHECK(rig.drag() == test::about(0.12, 0.2));
     CHECK(rig.simulation().bodies().size() < before);
     return state_hash(rig.simulation().bodies());
   };
@@ -63,16 +64,16 @@ TEST_CASE("the winch winds in what its speed and ramp say") {
   s.drag_speed = 0.4;
   s.ramp = 0.2;
   CHECK(s.wound(-1.0) == 0.0);
-  CHECK(s.wound(0.1) == doctest::Approx(0.01));
-  CHECK(s.wound(0.2) == doctest::Approx(0.04));
-  CHECK(s.wound(1.2) == doctest::Approx(0.44));
+  CHECK(s.wound(0.1) == test::about(0.01));
+  CHECK(s.wound(0.2) == test::about(0.04));
+  CHECK(s.wound(1.2) == test::about(0.44));
 }
 
 TEST_CASE("gravity leans against the drag where the bed rises towards the winch") {
   DragSetup s;
   s.drag_angle = 0.3;
-  CHECK(s.gravity().norm() == doctest::Approx(9.81));
-  CHECK(s.gravity().x() == doctest::Approx(-9.81 * std::sin(0.3)));
+  CHECK(s.gravity().norm() == test::about(9.81));
+  CHECK(s.gravity().x() == test::about(-9.81 * std::sin(0.3)));
 }
 
 TEST_CASE("a rig that cannot work is refused by the parameter that is wrong") {

@@ -1,6 +1,7 @@
 #include "scree/laboratory/settled_bed.hpp"
 #include "scree/measure/state_hash.hpp"
 #include "scree/simulation/simulation.hpp"
+#include "support/relative_error.hpp"
 
 #include <doctest/doctest.h>
 
@@ -55,8 +56,8 @@ TEST_CASE("physics: a bed comes to rest, struck off at its brim, the same for th
 TEST_CASE("physics: a requested porosity is reached within what the material allows") {
   const double loose = small_bed(0.0, 3).report.porosity;
   const Made denser = small_bed(loose - 0.03, 3);
-  CHECK(denser.report.porosity == doctest::Approx(loose - 0.03).epsilon(0.02));
-  CHECK(denser.report.poured_porosity == doctest::Approx(loose).epsilon(0.05));
+  CHECK(denser.report.porosity == test::about(loose - 0.03, 0.02));
+  CHECK(denser.report.poured_porosity == test::about(loose, 0.05));
   CHECK_THROWS_WITH_AS((void)small_bed(0.7, 3), doctest::Contains("looser than this material settles"),
                        Error);
   CHECK_THROWS_WITH_AS((void)small_bed(0.1, 3), doctest::Contains("denser than this material packs"), Error);

@@ -1,4 +1,5 @@
 #include "scree/measure/attitude.hpp"
+#include "support/relative_error.hpp"
 
 #include <doctest/doctest.h>
 
@@ -13,9 +14,9 @@ Quaternion about(const Vector& axis, double angle) {
 } // namespace
 
 TEST_CASE("pitch is positive with the nose up, roll with the left side up, yaw with the nose to the left") {
-  CHECK(attitude(about(Vector::UnitY(), -0.1)).pitch == doctest::Approx(0.1));
-  CHECK(attitude(about(Vector::UnitX(), 0.2)).roll == doctest::Approx(0.2));
-  CHECK(attitude(about(Vector::UnitZ(), 0.3)).yaw == doctest::Approx(0.3));
+  CHECK(attitude(about(Vector::UnitY(), -0.1)).pitch == test::about(0.1));
+  CHECK(attitude(about(Vector::UnitX(), 0.2)).roll == test::about(0.2));
+  CHECK(attitude(about(Vector::UnitZ(), 0.3)).yaw == test::about(0.3));
 }
 
 TEST_CASE("each angle leaves the others alone") {
@@ -24,7 +25,7 @@ TEST_CASE("each angle leaves the others alone") {
   CHECK(std::abs(pitched.yaw) < 1e-15);
   const Attitude turned =
       attitude(about(Vector::UnitZ(), 0.7) * about(Vector::UnitY(), -0.25) * about(Vector::UnitX(), 0.1));
-  CHECK(turned.yaw == doctest::Approx(0.7));
-  CHECK(turned.pitch == doctest::Approx(0.25));
-  CHECK(turned.roll == doctest::Approx(0.1));
+  CHECK(turned.yaw == test::about(0.7));
+  CHECK(turned.pitch == test::about(0.25));
+  CHECK(turned.roll == test::about(0.1));
 }

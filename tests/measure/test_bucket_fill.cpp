@@ -1,6 +1,7 @@
 #include "scree/geometry/dragline_bucket.hpp"
 #include "scree/measure/bucket_fill.hpp"
 #include "scree/measure/surface_height.hpp"
+#include "support/relative_error.hpp"
 
 #include <doctest/doctest.h>
 
@@ -25,8 +26,8 @@ TEST_CASE("a body counts by its centre: inside, heaped above the rim, or neither
       ahead{0.4, 0.0, 0.1}, far_above{0.12, 0.0, 0.6};
   const auto bodies = one_at({inside, above, beside, below, ahead, far_above}, 0.01);
   const BucketFill fill = gauge(bodies, WallMotion{});
-  CHECK(fill.struck == doctest::Approx(bodies.mass(0)));
-  CHECK(fill.heaped == doctest::Approx(bodies.mass(0) + bodies.mass(1)));
+  CHECK(fill.struck == test::about(bodies.mass(0)));
+  CHECK(fill.heaped == test::about(bodies.mass(0) + bodies.mass(1)));
   CHECK(fill.bodies == 2);
 }
 
@@ -36,7 +37,7 @@ TEST_CASE("what a bucket holds moves and turns with it") {
   motion.position = {1.0, 2.0, 3.0};
   motion.orientation = Quaternion{Eigen::AngleAxisd{0.8, Vector(1, 2, 3).normalized()}};
   const auto bodies = one_at({motion.to_space({0.12, 0.0, 0.1}), Vector{0.12, 0.0, 0.1}}, 0.01);
-  CHECK(gauge(bodies, motion).struck == doctest::Approx(bodies.mass(0)));
+  CHECK(gauge(bodies, motion).struck == test::about(bodies.mass(0)));
 }
 
 TEST_CASE("a lattice of points fills the interior to its volume") {
@@ -52,14 +53,14 @@ TEST_CASE("a lattice of points fills the interior to its volume") {
   }
   const auto bodies = one_at(places, 0.001);
   const double counted = BucketGauge{interior, 0.0}(bodies, WallMotion{}).struck / bodies.mass(0);
-  CHECK(counted * pitch * pitch * pitch == doctest::Approx(volume(interior)).epsilon(0.03));
+  CHECK(counted * pitch * pitch * pitch == test::about(volume(interior), 0.03));
 }
 
 TEST_CASE("the highest point over a rectangle is that of the sphere's cap over it") {
   const auto bodies = one_at({Vector{0.0, 0.0, 1.0}}, 0.5);
   using Plan = Eigen::AlignedBox2d;
   using Corner = Eigen::Vector2d;
-  CHECK(highest_point(bodies, Plan{Corner{-1, -1}, Corner{1, 1}}) == doctest::Approx(1.5));
-  CHECK(highest_point(bodies, Plan{Corner{0.3, -1}, Corner{1, 1}}) == doctest::Approx(1.4));
+  CHECK(highest_point(bodies, Plan{Corner{-1, -1}, Corner{1, 1}}) == test::about(1.5));
+  CHECK(highest_point(bodies, Plan{Corner{0.3, -1}, Corner{1, 1}}) == test::about(1.4));
   CHECK(std::isinf(highest_point(bodies, Plan{Corner{0.6, -1}, Corner{1, 1}})));
 }

@@ -1,4 +1,5 @@
 #include "scree/measure/porosity.hpp"
+#include "support/relative_error.hpp"
 
 #include <doctest/doctest.h>
 
@@ -33,15 +34,15 @@ TEST_CASE("a simple cubic lattice has the porosity 1 - pi/6, wherever the region
   const Bodies<double> bodies = balls(spheres);
   const Eigen::AlignedBox3d whole{Vector::Constant(0.5), Vector::Constant(4.5)};
   const Eigen::AlignedBox3d shifted{Vector::Constant(0.2), Vector::Constant(4.2)};
-  CHECK(porosity(bodies, whole) == doctest::Approx(exact).epsilon(0.003));
-  CHECK(porosity(bodies, shifted) == doctest::Approx(exact).epsilon(0.003));
+  CHECK(porosity(bodies, whole) == test::about(exact, 0.003));
+  CHECK(porosity(bodies, shifted) == test::about(exact, 0.003));
 }
 
 TEST_CASE("overlaps count once") {
   const Bodies<double> bodies = balls({{Vector::Zero(), 0.3}, {Vector::Zero(), 0.3}});
   const Eigen::AlignedBox3d region{Vector::Constant(-0.5), Vector::Constant(0.5)};
   const double ball = 4.0 / 3.0 * std::numbers::pi * 0.027;
-  CHECK(porosity(bodies, region) == doctest::Approx(1.0 - ball).epsilon(0.003));
+  CHECK(porosity(bodies, region) == test::about(1.0 - ball, 0.003));
 }
 
 TEST_CASE("an empty region is refused") {

@@ -1,5 +1,6 @@
 #include "scree/packing/assembly.hpp"
 #include "scree/packing/size_histogram.hpp"
+#include "support/relative_error.hpp"
 
 #include <doctest/doctest.h>
 
@@ -158,10 +159,10 @@ TEST_CASE("a size factor enlarges every grain alike") {
   const auto b = coarse.draw(200, other);
   for (std::size_t i = 0; i < a.size(); ++i) {
     CHECK(a[i].shape == b[i].shape);
-    CHECK(b[i].scale == doctest::Approx(2.5 * a[i].scale).epsilon(1e-14));
-    CHECK(coarse.material_size(b[i]) == doctest::Approx(material.material_size(a[i])).epsilon(1e-14));
+    CHECK(b[i].scale == test::about(2.5 * a[i].scale, 1e-14));
+    CHECK(coarse.material_size(b[i]) == test::about(material.material_size(a[i]), 1e-14));
   }
-  CHECK(coarse.mean_volume() == doctest::Approx(std::pow(2.5, 3) * material.mean_volume()).epsilon(1e-13));
+  CHECK(coarse.mean_volume() == test::about(std::pow(2.5, 3) * material.mean_volume(), 1e-13));
 }
 
 TEST_CASE("a drawn grain passes the sieve it was drawn for") {
@@ -170,7 +171,7 @@ TEST_CASE("a drawn grain passes the sieve it was drawn for") {
   Random random{28};
   for (const DrawnClump& d : assembly.draw(200, random)) {
     const double size = sieve_size(scaled(clumps[d.shape], d.scale));
-    CHECK(size == doctest::Approx(assembly.material_size(d)).epsilon(1e-12));
+    CHECK(size == test::about(assembly.material_size(d), 1e-12));
     CHECK(size >= 9.5e-3 * (1.0 - 1e-12));
     CHECK(size <= 37.5e-3 * (1.0 + 1e-12));
   }
@@ -186,7 +187,7 @@ TEST_CASE("a shape of fraction zero is not drawn, and its histogram is empty") {
   CHECK(histograms[1].target_fraction == 0.0);
   CHECK(histograms[1].generated_fraction == 0.0);
   CHECK(histograms[1].generated == std::vector<double>{0.0, 0.0});
-  CHECK(histograms[0].generated_fraction == doctest::Approx(1.0).epsilon(1e-12));
+  CHECK(histograms[0].generated_fraction == test::about(1.0, 1e-12));
 }
 
 TEST_CASE("nothing drawn gives empty histograms") {

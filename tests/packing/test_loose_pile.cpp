@@ -1,4 +1,5 @@
 #include "scree/packing/loose_pile.hpp"
+#include "support/relative_error.hpp"
 
 #include <doctest/doctest.h>
 
@@ -52,7 +53,7 @@ TEST_CASE("bodies of a loose pile do not overlap, and each has come to something
         }
       }
     }
-    CHECK(nearest == doctest::Approx(1.0 + gap).epsilon(1e-9));
+    CHECK(nearest == test::about(1.0 + gap, 1e-9));
   }
 }
 

@@ -1,5 +1,6 @@
 #include "scree/packing/packing.hpp"
 #include "scree/packing/templates.hpp"
+#include "support/relative_error.hpp"
 
 #include <doctest/doctest.h>
 
@@ -23,9 +24,9 @@ TEST_CASE("solid volume and mass of a packing") {
   packing.bodies = {ball, rod, rod};
   const double sphere = std::numbers::pi / 6.0;
   CHECK(solid_volume(packing) ==
-        doctest::Approx(8e-6 * sphere + 2e-3 * union_properties(aligned_spheres()).mass).epsilon(1e-13));
+        test::about(8e-6 * sphere + 2e-3 * union_properties(aligned_spheres()).mass, 1e-13));
   CHECK(mass(packing, std::vector<double>{1500.0, 2000.0}) ==
-        doctest::Approx(1500.0 * 8e-6 * sphere + 2000.0 * 2e-3 * 3.0 * sphere).epsilon(1e-13));
+        test::about(1500.0 * 8e-6 * sphere + 2000.0 * 2e-3 * 3.0 * sphere, 1e-13));
 
   CHECK_THROWS_WITH_AS((void)mass(packing, std::vector<double>{1500.0}),
                        "a body has material 1, but only 1 densities are given", Error);
@@ -44,7 +45,7 @@ TEST_CASE("spheres in space are the clump scaled, turned and moved") {
   const auto spheres = spheres_in_space(packing, body);
   REQUIRE(spheres.size() == 3);
   const MassProperties p = union_properties(spheres);
-  CHECK(p.mass == doctest::Approx(solid_volume(packing)).epsilon(1e-12));
+  CHECK(p.mass == test::about(solid_volume(packing), 1e-12));
   CHECK((p.centre - body.position).norm() < 1e-12);
   CHECK((spheres[2].centre - spheres[0].centre).cwiseAbs().isApprox(Vector{0.0, 2.4, 0.0}, 1e-12));
   CHECK(spheres[0].radius == 1.0);

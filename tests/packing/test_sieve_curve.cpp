@@ -1,4 +1,5 @@
 #include "scree/packing/sieve_curve.hpp"
+#include "support/relative_error.hpp"
 
 #include <doctest/doctest.h>
 
@@ -23,10 +24,10 @@ TEST_CASE("passing and quantile are each other's inverse") {
     const SieveCurve curve{openings, fractions, basis};
     for (int i = 0; i <= 1000; ++i) {
       const double u = i / 1000.0;
-      CHECK(curve.passing(curve.quantile(u)) == doctest::Approx(u).epsilon(1e-12));
+      CHECK(curve.passing(curve.quantile(u)) == test::about(u, 1e-12));
     }
     for (const double size : {10e-3, 12e-3, 20e-3, 26.5e-3, 30e-3}) {
-      CHECK(curve.quantile(curve.passing(size)) == doctest::Approx(size).epsilon(1e-12));
+      CHECK(curve.quantile(curve.passing(size)) == test::about(size, 1e-12));
     }
   }
 }
@@ -36,8 +37,8 @@ TEST_CASE("the curve is linear between sieves and meets them") {
   for (std::size_t i = 0; i < openings.size(); ++i) {
     CHECK(curve.passing(openings[i]) == fractions[i]);
   }
-  CHECK(curve.passing(0.5 * (19.0e-3 + 26.5e-3)) == doctest::Approx(0.45).epsilon(1e-14));
-  CHECK(curve.passing(16e-3) == doctest::Approx(0.2).epsilon(1e-14));
+  CHECK(curve.passing(0.5 * (19.0e-3 + 26.5e-3)) == test::about(0.45, 1e-14));
+  CHECK(curve.passing(16e-3) == test::about(0.2, 1e-14));
   CHECK(curve.passing(1e-3) == 0.0);
   CHECK(curve.passing(1.0) == 1.0);
   CHECK(curve.quantile(0.0) == 9.5e-3);
@@ -51,8 +52,8 @@ TEST_CASE("leading and trailing classes without material are not drawn from") {
   const SieveCurve curve{{0.01, 0.02, 0.03, 0.04}, {0.0, 0.0, 1.0, 1.0}, SieveBasis::mass};
   CHECK(curve.quantile(0.0) == 0.02);
   CHECK(curve.quantile(1.0) == 0.03);
-  CHECK(curve.number_quantile(0.0) == doctest::Approx(0.02).epsilon(1e-15));
-  CHECK(curve.number_quantile(1.0) == doctest::Approx(0.03).epsilon(1e-15));
+  CHECK(curve.number_quantile(0.0) == test::about(0.02, 1e-15));
+  CHECK(curve.number_quantile(1.0) == test::about(0.03, 1e-15));
 }
 
 TEST_CASE("a curve by number draws its own quantiles") {
@@ -76,17 +77,16 @@ TEST_CASE("sizes drawn by number have the mass fractions of a curve by mass") {
   for (std::size_t i = 0; i < mass.size(); ++i) {
     CHECK(std::abs(mass[i] / total - (fractions[i + 1] - fractions[i])) < 3e-5);
   }
-  CHECK(total / count == doctest::Approx(curve.mean_cubed_size()).epsilon(3e-5));
+  CHECK(total / count == test::about(curve.mean_cubed_size(), 3e-5));
 }
 
 TEST_CASE("mean cubed size of one class in closed form") {
   const double a = 0.01, b = 0.03;
   const SieveCurve by_number{{a, b}, {0.0, 1.0}, SieveBasis::number};
   CHECK(by_number.mean_cubed_size() ==
-        doctest::Approx((std::pow(b, 4) - std::pow(a, 4)) / (4.0 * (b - a))).epsilon(1e-14));
+        test::about((std::pow(b, 4) - std::pow(a, 4)) / (4.0 * (b - a)), 1e-14));
   const SieveCurve by_mass{{a, b}, {0.0, 1.0}, SieveBasis::mass};
-  CHECK(by_mass.mean_cubed_size() ==
-        doctest::Approx((b - a) / (0.5 * (1.0 / (a * a) - 1.0 / (b * b)))).epsilon(1e-14));
+  CHECK(by_mass.mean_cubed_size() == test::about((b - a) / (0.5 * (1.0 / (a * a) - 1.0 / (b * b))), 1e-14));
 }
 
 TEST_CASE("classes of sizes on and beyond the sieves") {

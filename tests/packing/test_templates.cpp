@@ -1,4 +1,5 @@
 #include "scree/packing/templates.hpp"
+#include "support/relative_error.hpp"
 
 #include <doctest/doctest.h>
 
@@ -27,12 +28,12 @@ TEST_CASE("extents and sieve size of the templates") {
   CHECK((principal_extents(shapes[0]) - Vector{2.2, 1.0, 1.0}).norm() < 1e-12);
   CHECK((principal_extents(shapes[2]) - Vector{2.3, 1.9, 1.0}).norm() < 1e-12);
   CHECK(principal_extents(shapes[3]) == Vector{1.0, 1.0, 1.0});
-  CHECK(sieve_size(shapes[0]) == doctest::Approx(1.0).epsilon(1e-12));
-  CHECK(sieve_size(shapes[2]) == doctest::Approx(1.9).epsilon(1e-12));
+  CHECK(sieve_size(shapes[0]) == test::about(1.0, 1e-12));
+  CHECK(sieve_size(shapes[2]) == test::about(1.9, 1e-12));
   CHECK(sieve_size(shapes[3]) == 1.0);
   // The pyramid keeps the axes of the cube that holds it: half an edge over the root of two, and a diameter.
-  CHECK(sieve_size(shapes[1]) == doctest::Approx(1.0 + 0.7 / std::sqrt(2.0)).epsilon(1e-12));
-  CHECK(sieve_size(scaled(shapes[2], 0.01)) == doctest::Approx(0.019).epsilon(1e-12));
+  CHECK(sieve_size(shapes[1]) == test::about(1.0 + 0.7 / std::sqrt(2.0), 1e-12));
+  CHECK(sieve_size(scaled(shapes[2], 0.01)) == test::about(0.019, 1e-12));
 }
 
 TEST_CASE("the spheres of a template overlap, and those of the pyramid all alike") {
@@ -49,7 +50,7 @@ TEST_CASE("the spheres of a template overlap, and those of the pyramid all alike
   const auto pyramid = pyramid_of_spheres();
   for (std::size_t i = 0; i < 4; ++i) {
     for (std::size_t j = i + 1; j < 4; ++j) {
-      CHECK((pyramid[i].centre - pyramid[j].centre).norm() == doctest::Approx(0.7).epsilon(1e-14));
+      CHECK((pyramid[i].centre - pyramid[j].centre).norm() == test::about(0.7, 1e-14));
     }
   }
   const Clump clump = make_clump("pyramid", pyramid);

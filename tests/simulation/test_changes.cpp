@@ -273,7 +273,8 @@ TEST_CASE("in a periodic space every pair of spheres that overlaps through any i
 TEST_CASE("a body that passes a periodic boundary keeps its springs, with others and with walls") {
   for (const bool on_wall : {false, true}) {
     CAPTURE(on_wall);
-    // A ball pulled along x rolls on a floor, or over a held ball: its spring is loaded all the time.
+    // A ball pulled along x rolls on a floor, or over a held ball: its spring is loaded all the time. It is
+    // brought back into the domain when it is a tenth of the period outside.
     const double period = 0.1;
     Simulation<> sim{{.gravity = {1.0, 0, -9.81}, .period = {period, 0, 0}, .time_step = 1e-5}};
     const auto rock = sim.add_material(
@@ -282,11 +283,11 @@ TEST_CASE("a body that passes a periodic boundary keeps its springs, with others
     if (on_wall) {
       sim.add_wall({.name = "floor", .surfaces = {{Plane{}, rock}}, .dynamics = Fixed{}});
     } else {
-      sim.add({.clump = &ball, .material = rock, .position = {0, 0, -size}, .fixed = true});
+      sim.add({.clump = &ball, .material = rock, .position = {0.1 * period, 0, -size}, .fixed = true});
     }
     const auto id = sim.add({.clump = &ball,
                              .material = rock,
-                             .position = {period - 1e-3, 0, size - sinking},
+                             .position = {1.1 * period - 1e-3, 0, size - sinking},
                              .velocity = {0.05, 0, 0},
                              .angular_velocity = {0, 0.05 / size, 0}});
     double before = 0.0, largest = 0.0;

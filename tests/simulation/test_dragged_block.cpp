@@ -4,6 +4,7 @@
 #include "scree/simulation/run.hpp"
 #include "scree/simulation/simulation.hpp"
 #include "support/meshes.hpp"
+#include "support/relative_error.hpp"
 #include "support/scenes.hpp"
 
 #include <doctest/doctest.h>
@@ -72,9 +73,9 @@ TEST_CASE("physics: a block dragged over a level layer of spheres needs mu m g")
   }
   impulse += sim.dynamics<RopeCoupled>(block).ropes()[0].impulse.x();
   const double mean = impulse / (sim.time() - from);
-  CHECK(sim.wall(block).motion.position.x() - block_at.x() == doctest::Approx(speed).epsilon(0.01));
-  CHECK(weight / static_cast<double>(steps) == doctest::Approx(block_mass * g).epsilon(0.001));
-  CHECK(mean == doctest::Approx(mu * block_mass * g).epsilon(0.01));
+  CHECK(sim.wall(block).motion.position.x() - block_at.x() == test::about(speed, 0.01));
+  CHECK(weight / static_cast<double>(steps) == test::about(block_mass * g, 0.001));
+  CHECK(mean == test::about(mu * block_mass * g, 0.01));
   CHECK((sim.bodies().position(0) - plate_at).norm() < 1e-5);
   // It lies flat and goes straight.
   CHECK(std::abs(sim.wall(block).motion.position.y()) < 1e-3);

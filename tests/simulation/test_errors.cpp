@@ -3,6 +3,7 @@
 
 #include "scree/simulation/run.hpp"
 #include "scree/simulation/simulation.hpp"
+#include "support/relative_error.hpp"
 #include "support/scenes.hpp"
 
 #include <doctest/doctest.h>
@@ -125,12 +126,12 @@ TEST_CASE("observers are called at their intervals, and see the simulation at it
   run_for(sim, 0.1, Every{0.025, [&](const auto& s) { seen.push_back(s.time()); }},
           [&](const auto&) { ++each; });
   CHECK(sim.steps() == 100);
-  CHECK(sim.time() == doctest::Approx(0.1).epsilon(1e-12));
+  CHECK(sim.time() == test::about(0.1, 1e-12));
   CHECK(each == 100);
   REQUIRE(seen.size() == 4);
-  CHECK(seen[0] == doctest::Approx(0.001));
-  CHECK(seen[1] == doctest::Approx(0.026));
-  CHECK(seen[3] == doctest::Approx(0.076));
+  CHECK(seen[0] == test::about(0.001));
+  CHECK(seen[1] == test::about(0.026));
+  CHECK(seen[3] == test::about(0.076));
 
   std::size_t steps = 0;
   run_while(

@@ -4,6 +4,7 @@
 #include "scree/simulation/run.hpp"
 #include "scree/simulation/simulation.hpp"
 #include "support/meshes.hpp"
+#include "support/relative_error.hpp"
 #include "support/scenes.hpp"
 
 #include <doctest/doctest.h>
@@ -103,7 +104,7 @@ TEST_CASE("a ball moves over coplanar facets as over the plane") {
   }
   // The slide is over.
   CHECK(on_plane.bodies().velocity(0).x() ==
-        doctest::Approx(radius * on_plane.bodies().angular_velocity(0).y()).epsilon(1e-3));
+        test::about(radius * on_plane.bodies().angular_velocity(0).y(), 1e-3));
   CHECK((on_plane.bodies().position(0) - Vector{-0.06, -0.05, 0.0}).norm() > 0.09);
 }
 
@@ -117,7 +118,7 @@ TEST_CASE("a ball that rolls over seams and the edge of a box keeps its spring")
   CHECK(track.bodies().position(0).x() < -0.0025);
   const double pull = 0.5 * weight / 9.81;
   double before = track.touch().tangential.norm(), largest = 0.0;
-  CHECK(before == doctest::Approx(2.0 / 7.0 * pull).epsilon(0.05));
+  CHECK(before == test::about(2.0 / 7.0 * pull, 0.05));
   double tilt = 0.0, at_edge = 0.0;
   while (tilt < 0.3) {
     track.step();
@@ -133,7 +134,7 @@ TEST_CASE("a ball that rolls over seams and the edge of a box keeps its spring")
       at_edge = now;
     }
   }
-  CHECK(at_edge == doctest::Approx(2.0 / 7.0 * pull).epsilon(0.05));
+  CHECK(at_edge == test::about(2.0 / 7.0 * pull, 0.05));
   CHECK(largest < 0.01 * at_edge); // in one step; a spring lost would be all of it
   CHECK(before > 4.0 * at_edge);   // it pivots about the edge, and its weight begins to pull too
 }

@@ -4,6 +4,7 @@
 #include "scree/simulation/run.hpp"
 #include "scree/simulation/simulation.hpp"
 #include "support/meshes.hpp"
+#include "support/relative_error.hpp"
 #include "support/scenes.hpp"
 
 #include <doctest/doctest.h>
@@ -37,16 +38,16 @@ TEST_CASE("a ball on a belt is dragged at mu g until it has the belt's speed, as
       {.name = "belt", .surfaces = {{Plane{}, id}}, .dynamics = Prescribed::constant_velocity({belt, 0, 0})});
   const double slides = 2.0 * belt / (7.0 * mu * g);
   run_for(sim, 0.5 * slides);
-  CHECK(sim.bodies().velocity(0).x() == doctest::Approx(mu * g * 0.5 * slides).epsilon(1e-3));
-  CHECK(sim.wall(0).load.force.x() == doctest::Approx(-mu * ball_mass * g).epsilon(1e-3));
+  CHECK(sim.bodies().velocity(0).x() == test::about(mu * g * 0.5 * slides, 1e-3));
+  CHECK(sim.wall(0).load.force.x() == test::about(-mu * ball_mass * g, 1e-3));
   run_for(sim, slides);
-  CHECK(sim.bodies().velocity(0).x() == doctest::Approx(2.0 / 7.0 * belt).epsilon(2e-3));
-  CHECK(sim.bodies().angular_velocity(0).y() == doctest::Approx(-5.0 / 7.0 * belt / radius).epsilon(2e-3));
+  CHECK(sim.bodies().velocity(0).x() == test::about(2.0 / 7.0 * belt, 2e-3));
+  CHECK(sim.bodies().angular_velocity(0).y() == test::about(-5.0 / 7.0 * belt / radius, 2e-3));
   CHECK(sim.bodies().velocity(0).y() == 0.0);
   // The belt's work went into the ball's motion and into friction.
   CHECK(sim.wall(0).load.work ==
-        doctest::Approx(sim.bodies().kinetic_energy(0) + sim.dissipation().total()).epsilon(0.01));
-  CHECK(sim.wall(0).motion.position.x() == doctest::Approx(belt * sim.time()));
+        test::about(sim.bodies().kinetic_energy(0) + sim.dissipation().total(), 0.01));
+  CHECK(sim.wall(0).motion.position.x() == test::about(belt * sim.time()));
 }
 
 TEST_CASE("a floor that follows any function carries a ball along") {
@@ -64,7 +65,7 @@ TEST_CASE("a floor that follows any function carries a ball along") {
   for (int k = 0; k < 100; ++k) {
     run_for(sim, 2e-3);
     const double acceleration = amplitude * rate * rate * std::cos(rate * (sim.time() - sim.time_step()));
-    REQUIRE(-sim.wall(0).load.force.z() == doctest::Approx(ball_mass * (g + acceleration)).epsilon(0.01));
+    REQUIRE(-sim.wall(0).load.force.z() == test::about(ball_mass * (g + acceleration), 0.01));
   }
 }
 
@@ -97,12 +98,12 @@ TEST_CASE("a turning drum takes what slides in it up to where friction ends") {
   const double off_axis =
       std::hypot(inside - radius, 0.75 * radius) - 0.75 * radius * 0.75 * radius / (inside - radius);
   CHECK(at.x() < 0.0); // at the bottom the wall moves towards -x
-  CHECK(std::atan2(-at.x(), -at.z()) == doctest::Approx(std::atan(mu * inside / off_axis)).epsilon(0.01));
+  CHECK(std::atan2(-at.x(), -at.z()) == test::about(std::atan(mu * inside / off_axis), 0.01));
   CHECK(std::abs(at.y()) < 1e-3 * inside);
   CHECK(sim.bodies().velocity(0).norm() < 0.01 * inside); // of the wall's 0.2 m/s
   CHECK(sim.wall(0).load.contacts == 4);
   // The drum's moment about its axis is that of friction, and its work is what friction takes.
-  CHECK(sim.wall(0).load.moment.y() == doctest::Approx(sim.bodies().mass(0) * g * at.x()).epsilon(0.01));
+  CHECK(sim.wall(0).load.moment.y() == test::about(sim.bodies().mass(0) * g * at.x(), 0.01));
 }
 
 TEST_CASE(
@@ -158,8 +159,8 @@ TEST_CASE("a ball on a slope loads it in two directions") {
   run_for(sim, 0.5);
   const double weight = sim.bodies().mass(0) * g;
   const Vector load = tilt.conjugate() * sim.wall(0).load.force;
-  CHECK(load.z() == doctest::Approx(-weight * std::cos(slope)).epsilon(1e-5));
-  CHECK(load.x() == doctest::Approx(weight * std::sin(slope)).epsilon(1e-5));
+  CHECK(load.z() == test::about(-weight * std::cos(slope), 1e-5));
+  CHECK(load.x() == test::about(weight * std::sin(slope), 1e-5));
   CHECK(std::abs(load.y()) < 1e-6 * weight);
   CHECK(sim.bodies().velocity(0).norm() < 1e-7);
 }
@@ -180,15 +181,15 @@ TEST_CASE("a force-controlled lid comes to rest on balls at its force, and follo
                                                  .damping = 3.0}},
                     .motion = {.position = {0, 0, 2.5 * radius}}});
   run_for(sim, 0.499);
-  CHECK(sim.wall(lid).load.force.z() == doctest::Approx(2.0).epsilon(1e-5));
+  CHECK(sim.wall(lid).load.force.z() == test::about(2.0, 1e-5));
   CHECK(sim.wall(lid).load.contacts == 4);
   CHECK(sim.wall(lid).motion.velocity.norm() < 1e-6);
   // Both contacts of a ball give way: the lid's is 0.5 N deep, the floor's by the weight more.
   CHECK(sim.wall(lid).motion.position.z() ==
-        doctest::Approx(2.0 * radius - 0.5 / 1e4 - (0.5 + ball_mass * g) / 1e4).epsilon(1e-7));
+        test::about(2.0 * radius - 0.5 / 1e4 - (0.5 + ball_mass * g) / 1e4, 1e-7));
   run_for(sim, 0.5);
-  CHECK(sim.wall(lid).load.force.z() == doctest::Approx(3.0).epsilon(1e-5));
-  CHECK(sim.wall(0).load.force.z() == doctest::Approx(-3.0 - 4.0 * ball_mass * g).epsilon(1e-5));
+  CHECK(sim.wall(lid).load.force.z() == test::about(3.0, 1e-5));
+  CHECK(sim.wall(0).load.force.z() == test::about(-3.0 - 4.0 * ball_mass * g, 1e-5));
   // Straight down and up: nothing sideways.
   CHECK(sim.wall(lid).motion.position.head<2>().isZero(0.0));
 }
@@ -201,7 +202,7 @@ TEST_CASE("a lid on nothing falls with its force over its mass") {
                     .dynamics = ForceControlled{
                         {.axis = {0, 0, -3.0}, .mass = 0.5, .force = [](double) { return 1.5; }}}});
   run_for(sim, 0.2);
-  CHECK(sim.wall(lid).motion.position.z() == doctest::Approx(-0.5 * 3.0 * 0.04).epsilon(1e-9));
+  CHECK(sim.wall(lid).motion.position.z() == test::about(-0.5 * 3.0 * 0.04, 1e-9));
 }
 
 TEST_CASE("walls of several kinds act in one simulation, each on the grains that it meets") {
@@ -232,16 +233,15 @@ TEST_CASE("walls of several kinds act in one simulation, each on the grains that
   sim.add({.clump = &ball, .material = id, .position = {0.2, -1, radius}});
   sim.add({.clump = &ball, .material = id, .position = {0, 1, 0.31 + radius}});
   run_for(sim, 3.0);
-  CHECK(sim.wall(lid).load.force.z() == doctest::Approx(1.0).epsilon(1e-4));
-  CHECK(sim.wall(floor).load.force.z() ==
-        doctest::Approx(-1.0 - 2.0 * ball_mass * g).epsilon(0.02)); // paddle's rub
-  CHECK(sim.wall(hung).load.force.z() == doctest::Approx(-ball_mass * g).epsilon(1e-4));
+  CHECK(sim.wall(lid).load.force.z() == test::about(1.0, 1e-4));
+  CHECK(sim.wall(floor).load.force.z() == test::about(-1.0 - 2.0 * ball_mass * g, 0.02)); // paddle's rub
+  CHECK(sim.wall(hung).load.force.z() == test::about(-ball_mass * g, 1e-4));
   double tension = 0.0;
   for (const Rope& rope : sim.dynamics<RopeCoupled>(hung).ropes()) {
     tension += rope.tension;
   }
-  CHECK(tension == doctest::Approx((tray_mass + ball_mass) * g).epsilon(1e-4));
-  CHECK(sim.wall(paddle).motion.position.x() == doctest::Approx(0.4));
+  CHECK(tension == test::about((tray_mass + ball_mass) * g, 1e-4));
+  CHECK(sim.wall(paddle).motion.position.x() == test::about(0.4));
   CHECK(sim.wall(paddle).load.impulse.x() < -0.1 * ball_mass);
   const std::size_t pushed = test::number_of(sim, 1);
   CHECK(sim.bodies().position(pushed).x() > 0.4 + 0.005 + radius - 1e-5);

@@ -4,6 +4,7 @@
 #include "scree/contact/rolling_resistance.hpp"
 #include "scree/core/random.hpp"
 #include "scree/simulation/simulation.hpp"
+#include "support/relative_error.hpp"
 #include "support/scenes.hpp"
 
 #include <doctest/doctest.h>
@@ -101,8 +102,8 @@ void compare(double tolerance) {
   CHECK(apart < tolerance * moved);
   CHECK(spins_apart < tolerance * spins);
   CHECK(plain.dissipation().friction > 0.0);
-  CHECK(packed.dissipation().friction == doctest::Approx(plain.dissipation().friction).epsilon(tolerance));
-  CHECK(packed.dissipation().viscous == doctest::Approx(plain.dissipation().viscous).epsilon(tolerance));
+  CHECK(packed.dissipation().friction == test::about(plain.dissipation().friction, tolerance));
+  CHECK(packed.dissipation().viscous == test::about(plain.dissipation().viscous, tolerance));
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #include "scree/simulation/run.hpp"
 #include "scree/simulation/simulation.hpp"
 #include "support/meshes.hpp"
+#include "support/relative_error.hpp"
 #include "support/scenes.hpp"
 
 #include <doctest/doctest.h>
@@ -174,8 +175,8 @@ bool holds(const std::string& text, const char* part) {
 TEST_CASE("the step given is used, the stable one where none is given, and one above it is refused by name") {
   Stack sim;
   const double stable = sim.time_step();
-  CHECK(stable == doctest::Approx(0.5 * sim.step_limit().critical).epsilon(1e-14));
-  CHECK(Stack{{.safety = 0.25}}.time_step() == doctest::Approx(0.5 * stable).epsilon(1e-14));
+  CHECK(stable == test::about(0.5 * sim.step_limit().critical, 1e-14));
+  CHECK(Stack{{.safety = 0.25}}.time_step() == test::about(0.5 * stable, 1e-14));
   CHECK(Stack{{.time_step = 0.3 * stable}}.time_step() == 0.3 * stable);
   CHECK(Stack{{.time_step = 0.999 * stable}}.time_step() == 0.999 * stable);
 
@@ -192,9 +193,8 @@ TEST_CASE("the step given is used, the stable one where none is given, and one a
 
 TEST_CASE("the critical step scales as the root of mass over stiffness") {
   const double critical = Stack{}.step_limit().critical;
-  CHECK(Stack{{.stiffness = 4e5}}.step_limit().critical == doctest::Approx(0.5 * critical).epsilon(1e-12));
-  CHECK(Stack{{.density = 4.0 * 2650.0}}.step_limit().critical ==
-        doctest::Approx(2.0 * critical).epsilon(1e-12));
+  CHECK(Stack{{.stiffness = 4e5}}.step_limit().critical == test::about(0.5 * critical, 1e-12));
+  CHECK(Stack{{.density = 4.0 * 2650.0}}.step_limit().critical == test::about(2.0 * critical, 1e-12));
 }
 
 TEST_CASE("the lightest free body sets the step, whatever else there is") {
@@ -206,7 +206,7 @@ TEST_CASE("the lightest free body sets the step, whatever else there is") {
   sim.add({.clump = &small, .position = {2, 0, 0.1}, .fixed = true});
   CHECK(sim.step_limit().critical == critical);
   const auto id = sim.add({.clump = &small, .position = {3, 0, 0.1}});
-  CHECK(sim.step_limit().critical == doctest::Approx(critical * std::sqrt(1e-3)).epsilon(1e-12));
+  CHECK(sim.step_limit().critical == test::about(critical * std::sqrt(1e-3), 1e-12));
   CHECK(holds(sim.step_limit().cause, message("body ", id).c_str()));
 }
 
@@ -225,8 +225,8 @@ TEST_CASE("a step that has become too long is refused when it has") {
   const double before = sim.time();
   sim.change_material(0, {.name = "steel", .normal_stiffness = 1e7, .shear_stiffness = 1e7});
   sim.step();
-  CHECK(sim.time_step() == doctest::Approx(0.1 * stable));
-  CHECK(sim.time() == doctest::Approx(before + 0.1 * stable).epsilon(1e-12));
+  CHECK(sim.time_step() == test::about(0.1 * stable));
+  CHECK(sim.time() == test::about(before + 0.1 * stable, 1e-12));
 }
 
 TEST_CASE("where nothing sets a step one has to be given") {
@@ -326,7 +326,7 @@ TEST_CASE("physics: a light lid on many grains sets the step, and lies still at 
     run_for(sim, 0.2);
     CHECK(sim.time_step() < 0.5 * without_lid);
     CHECK(holds(sim.step_limit().cause, "'lid'"));
-    CHECK(sim.wall(lid).load.force.z() == doctest::Approx(5.0).epsilon(1e-4));
+    CHECK(sim.wall(lid).load.force.z() == test::about(5.0, 1e-4));
     CHECK(kinetic_energy(sim) < 1e-12);
   }
 }

@@ -2,6 +2,7 @@
 #include "scree/packing/templates.hpp"
 #include "scree/state/blocks.hpp"
 #include "scree/state/bodies.hpp"
+#include "support/relative_error.hpp"
 
 #include <doctest/doctest.h>
 
@@ -39,7 +40,7 @@ void check_members(const Bodies<double>& bodies, std::size_t b, const Clump& clu
     CHECK((to_eigen(sphere.velocity) - bodies.velocity(b) - bodies.angular_velocity(b).cross(arm)).norm() <
           1e-13);
     CHECK((to_eigen(sphere.angular_velocity) - bodies.angular_velocity(b)).norm() < 1e-13);
-    CHECK(sphere.radius == doctest::Approx(scale * clump.spheres[k].radius));
+    CHECK(sphere.radius == test::about(scale * clump.spheres[k].radius));
     CHECK(bodies.body_of(bodies.first_sphere(b) + k) == b);
   }
 }
@@ -59,13 +60,13 @@ TEST_CASE("a body is what was asked for") {
     CHECK(bodies.position(b) == given.position);
     CHECK(bodies.velocity(b) == given.velocity);
     CHECK((bodies.angular_velocity(b) - given.angular_velocity).norm() < 1e-14);
-    CHECK(bodies.mass(b) == doctest::Approx(2500.0 * clump->volume * std::pow(given.scale, 3)));
+    CHECK(bodies.mass(b) == test::about(2500.0 * clump->volume * std::pow(given.scale, 3)));
     CHECK((bodies.inertia(b) - 2500.0 * std::pow(given.scale, 5) * clump->inertia).norm() <
           1e-12 * bodies.inertia(b).norm());
     check_members(bodies, b, *clump, given.scale);
   }
   const double r = 0.5 * bodies.bounding_radius(0) / 0.5;
-  CHECK(bodies.solid_volume(0) == doctest::Approx(4.0 / 3.0 * std::numbers::pi * r * r * r));
+  CHECK(bodies.solid_volume(0) == test::about(4.0 / 3.0 * std::numbers::pi * r * r * r));
 }
 
 TEST_CASE("kinetic energy is that of the rigid motion") {
@@ -78,7 +79,7 @@ TEST_CASE("kinetic energy is that of the rigid motion") {
     const Matrix inertia = turn * bodies.inertia(b).asDiagonal() * turn.transpose();
     const Vector v = bodies.velocity(b), w = bodies.angular_velocity(b);
     CHECK(bodies.kinetic_energy(b) ==
-          doctest::Approx(0.5 * bodies.mass(b) * v.squaredNorm() + 0.5 * w.dot(inertia * w)).epsilon(1e-12));
+          test::about(0.5 * bodies.mass(b) * v.squaredNorm() + 0.5 * w.dot(inertia * w), 1e-12));
   }
 }
 

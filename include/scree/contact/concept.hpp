@@ -6,16 +6,14 @@
 /// numbers for each contact, all 0 when it begins.
 ///
 ///     static constexpr int history_size;
-///     // For each history number: -1 if it changes sign when i and j change places (parts of a vector from j
-///     to i),
-///     // else +1.
+///     // For each history number: -1 if it changes sign when i and j change places (parts of a vector from
+///     // j to i), else +1.
 ///     static constexpr std::array<int, history_size> history_parity;
 ///     // Refuses a pair of materials that lacks what the law needs; `names` says which pair it is.
 ///     void check(const PairMaterial<double>& pair, std::string_view names) const;
 ///     // The stiffest that a contact gets in an impact at `speed` [m/s] or below.
-///     ContactStiffness stiffness(const PairMaterial<double>& pair, double reduced_radius, double
-///     reduced_mass,
-///                                double speed) const;
+///     ContactStiffness stiffness(const PairMaterial<double>& pair, double reduced_radius,
+///                                double reduced_mass, double speed) const;
 ///     // J, held in the springs of a contact.
 ///     double elastic_energy(const PairMaterial<double>& pair, double reduced_radius, double overlap,
 ///                           std::span<const double, history_size> history) const;

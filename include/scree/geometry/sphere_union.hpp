@@ -184,7 +184,8 @@ inline std::vector<double> slice_breakpoints(std::span<const Sphere> spheres) {
 /// halving. At those heights the moments grow like a half-integer power of the distance, which the
 /// substitution z ~ (3 t - t^3) / 2 makes smooth. Relative accuracy about 1e-12. The cost grows with the
 /// third power of the number of spheres: well below a millisecond for a few, a fraction of a second for a
-/// hundred. \throws Error from require_spheres().
+/// hundred.
+/// \throws Error from require_spheres().
 inline MassProperties union_properties(std::span<const Sphere> spheres) {
   require_spheres(spheres);
   std::vector<Sphere> outer = detail::outermost_spheres(spheres);

@@ -27,8 +27,9 @@ class CsvWriter {
 public:
   /// Creates `file`, replacing an older one, and writes the header.
   /// \param columns names with units; not empty, distinct, free of commas, quotes, line breaks and outer
-  /// blanks. \param comment written above the header, each of its lines behind "# "; none if empty. \throws
-  /// Error naming the file, for a bad name too.
+  /// blanks.
+  /// \param comment written above the header, each of its lines behind "# "; none if empty.
+  /// \throws Error naming the file, for a bad name too.
   CsvWriter(std::filesystem::path file, std::vector<std::string> columns, std::string_view comment = "")
       : file_{std::move(file)}, columns_{std::move(columns)} {
     check_columns();
@@ -165,9 +166,9 @@ inline std::vector<std::string_view> comma_fields(std::string_view line) {
 } // namespace detail
 
 /// Reads a header and rows of finite numbers. Blank lines and comments are skipped; blanks around a field, CR
-/// LF line ends and a UTF-8 byte order mark are accepted; quoted fields are not. \throws Error "file:line:
-/// ..." for a file that is empty, has no rows, ends within a line, is larger than `limits`, or has a ragged
-/// row, an empty field or one that is not a finite number.
+/// LF line ends and a UTF-8 byte order mark are accepted; quoted fields are not.
+/// \throws Error "file:line: ..." for a file that is empty, has no rows, ends within a line, is larger than
+/// `limits`, or has a ragged row, an empty field or one that is not a finite number.
 inline CsvTable read_csv(const std::filesystem::path& file, const CsvLimits& limits = {}) {
   const std::string text = read_text(file, limits.bytes);
   std::string_view rest = text;

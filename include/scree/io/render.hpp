@@ -116,8 +116,8 @@ public:
   }
 
   /// Draws triangles over shared vertices (m), seen from both sides, with lines along their sharp edges.
-  /// Where a cut passes through them it shows as a line, so that a plate is seen edge-on too. \throws Error
-  /// for a facet that names no vertex.
+  /// Where a cut passes through them it shows as a line, so that a plate is seen edge-on too.
+  /// \throws Error for a facet that names no vertex.
   void surface(std::span<const Vector> vertices, std::span<const std::array<std::uint32_t, 3>> facets,
                Rgb colour, std::uint32_t object) {
     std::vector<Vector> seen(vertices.size());

@@ -151,8 +151,8 @@ inline std::uint32_t vtk_size(const std::filesystem::path& file, std::size_t siz
 } // namespace detail
 
 /// Writes `points` with their arrays. ParaView draws them as spheres with the representation "Point Gaussian"
-/// or the filter "Glyph" (sphere, scaled by an array such as "radius"). \throws Error naming the file, for an
-/// array of another length or name taken twice too.
+/// or the filter "Glyph" (sphere, scaled by an array such as "radius").
+/// \throws Error naming the file, for an array of another length or name taken twice too.
 inline void write_vtp_points(const std::filesystem::path& file, std::span<const Vector> points,
                              std::span<const VtkArray> arrays) {
   const auto count = detail::vtk_size(file, points.size());

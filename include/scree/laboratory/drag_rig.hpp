@@ -34,9 +34,9 @@ struct DragSample {
 /// Builds the rig and runs it.
 ///
 ///     DragRig<DigModel> rig{desk_drag(), bucket};
-///     rig.make_bed(watch);
+///     rig.make_bed(assembly, watch);
 ///     rig.place_bucket(watch);
-///     while (!rig.done()) { rig.advance(0.01); use(rig.sample()); }
+///     while (!rig.done()) { rig.advance(0.01, watch); use(rig.sample()); }
 template <class Model>
 class DragRig {
 public:

@@ -9,7 +9,9 @@
 #include "scree/packing/loose_pile.hpp"
 #include "scree/simulation/run.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -90,8 +92,8 @@ struct Unrest {
   double unbalanced = 1.0; ///< mean unbalanced over mean contact force
   double fastest = 0.0;    ///< m/s, of a grain
 
-  [[nodiscard]] bool over(const BedRecipe& recipe) const {
-    return unbalanced > recipe.rest || fastest > recipe.rest_speed;
+  [[nodiscard]] bool within(const Unrest& bounds) const {
+    return unbalanced <= bounds.unbalanced && fastest <= bounds.fastest;
   }
 };
 
@@ -104,9 +106,13 @@ Unrest unrest(const Simulation& simulation) {
   return now;
 }
 
-/// Steps, for `least` [s] at least, until the bed is at rest or the patience is over.
+/// Steps, for `least` [s] at least, until the bed is within `bounds` or the patience [s] is over. Once its
+/// forces are balanced, every grain is stopped at intervals: the few that still roll over the surface would
+/// roll for seconds, and what is not in balance starts again by itself.
 template <class Simulation, class Watch>
-Unrest come_to_rest(Simulation& simulation, const BedRecipe& recipe, double least, Watch& watch) {
+Unrest come_to_rest(Simulation& simulation, const Unrest& bounds, double least, double patience,
+                    Watch& watch) {
+  constexpr double interval = 0.02; // s, ours: a grain in free fall comes to 0.2 m/s
   const double start = simulation.time();
   Unrest now;
   double next = start + least;
@@ -116,9 +122,14 @@ Unrest come_to_rest(Simulation& simulation, const BedRecipe& recipe, double leas
         if (s.time() < next) {
           return true;
         }
-        next = s.time() + 0.02;
+        next = s.time() + interval;
         now = unrest(s);
-        return now.over(recipe) && s.time() < start + recipe.patience;
+        if (now.unbalanced <= bounds.unbalanced && now.fastest > bounds.fastest) {
+          for (std::size_t b = 0; b < s.bodies().size(); ++b) {
+            simulation.set_motion(b, Vector::Zero(), Vector::Zero());
+          }
+        }
+        return !now.within(bounds) && s.time() < start + patience;
       },
       watch);
   return now;
@@ -172,8 +183,8 @@ double densify(Simulation& simulation, MaterialId rock, const BedRecipe& recipe,
 ///
 /// Denser: the friction between grains is taken away while the bed is shaken gently, until the porosity is
 /// reached; then it is given back. So a requested porosity lies between what gentle pouring leaves and what
-/// shaking without friction reaches. \throws Error for a porosity that this material does not reach, with the
-/// range that it does.
+/// shaking without friction reaches.
+/// \throws Error for a porosity that this material does not reach, with the range that it does.
 template <class Simulation, class Watch>
 BedReport settle_bed(Simulation& simulation, const BedContainer& bed, const Assembly& assembly,
                      MaterialId rock, const BedRecipe& recipe, Random& random, Watch watch) {
@@ -203,7 +214,9 @@ BedReport settle_bed(Simulation& simulation, const BedContainer& bed, const Asse
   const double fall = std::sqrt(2.0 * 2.0 * depth / std::max(1e-9, simulation.setup().gravity.norm()));
   BedStage stage{"settling", 0.0};
   const auto observe = [&](auto& s) { watch(s, stage); };
-  detail::come_to_rest(simulation, recipe, fall, observe);
+  // What still rolls over the surface is struck off or shaken anyway.
+  const double any_speed = std::numeric_limits<double>::infinity();
+  detail::come_to_rest(simulation, {recipe.rest, any_speed}, fall, recipe.patience, observe);
 
   const Eigen::AlignedBox3d core = detail::bed_core(bed, grain);
   const auto measured = [&] { return porosity(simulation.bodies(), core); };
@@ -221,10 +234,11 @@ BedReport settle_bed(Simulation& simulation, const BedContainer& bed, const Asse
 
   stage = {"striking off", 0.8};
   simulation.remove_bodies([](const auto& bodies, std::size_t b) { return bodies.position(b).z() > 0.0; });
-  const detail::Unrest left = detail::come_to_rest(simulation, recipe, 0.05, observe);
+  const detail::Unrest rest{recipe.rest, recipe.rest_speed};
+  const detail::Unrest left = detail::come_to_rest(simulation, rest, 0.05, recipe.patience, observe);
   report.unbalanced = left.unbalanced;
   report.fastest = left.fastest;
-  report.at_rest = !left.over(recipe);
+  report.at_rest = left.within(rest);
   simulation.set_local_damping(damping);
   report.porosity = measured();
   report.kept = simulation.bodies().size();

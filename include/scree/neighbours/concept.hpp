@@ -5,12 +5,14 @@
 ///     // m, by which a list may outlive its making: 0 to search in every step.
 ///     double skin(double smallest_radius) const;
 ///     // For each i below `owned`, every k > i with a gap of at most `margin` [m] between the surfaces of i
-///     and k. void find(std::span<const Ball> balls, std::size_t owned, double margin, Workers& workers,
+///     // and k.
+///     void find(std::span<const Ball> balls, std::size_t owned, double margin, Workers& workers,
 ///               CandidateRows& rows);
 ///
 /// Balls from `owned` on are periodic images. The order within a row is free: it is sorted afterwards, so
-/// that every search gives the same trajectory to the bit. Given by the library: AllPairs, CellGrid, RTree,
-/// and VerletList over any of them.
+/// that every search gives the same trajectory to the bit.
+///
+/// Given by the library: AllPairs, CellGrid, RTree, and VerletList over any of them.
 
 #include "scree/core/compressed_rows.hpp"
 #include "scree/core/vec3.hpp"

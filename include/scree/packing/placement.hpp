@@ -12,8 +12,8 @@
 namespace scree::detail {
 
 /// Largest bounding diameter [m] of the drawn clumps, `gap` (a fraction of it) included; zero if there are
-/// none. \throws Error for a shape that does not exist, a scale not above zero, or a footprint narrower than
-/// that.
+/// none.
+/// \throws Error for a shape that does not exist, a scale not above zero, or a footprint narrower than that.
 inline double require_placeable(const std::vector<Clump>& shapes, std::span<const DrawnClump> drawn,
                                 const Eigen::AlignedBox3d& footprint, double gap) {
   double largest = 0.0;

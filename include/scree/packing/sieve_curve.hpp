@@ -85,7 +85,8 @@ public:
   }
 
   /// Size [m] that a fraction `u` of the number of grains is smaller than. For u uniform in [0, 1) it draws
-  /// one grain. Same as quantile() for a curve by number. \throws Error unless u is in [0, 1].
+  /// one grain. Same as quantile() for a curve by number.
+  /// \throws Error unless u is in [0, 1].
   [[nodiscard]] double number_quantile(double u) const {
     if (basis_ == SieveBasis::number) {
       return quantile(u);

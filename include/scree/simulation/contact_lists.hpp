@@ -53,8 +53,10 @@ public:
   bool keep_valid(std::size_t step, double time, const Domain& domain, Bodies<Real>& bodies,
                   std::span<const AnyWall> walls, Workers& workers) {
     const bool sort = sort_due(step);
-    // At fixed steps, not at renewals, so that all searches wrap, and round, alike.
-    const bool wrap_now = domain.periodic() && step % wrap_interval == 0;
+    // At fixed steps, not at renewals, so that all searches wrap, and round, alike; seldom, as lists are made
+    // anew after it.
+    const bool wrap_now =
+        domain.periodic() && (!valid_ || step % wrap_interval == 0) && domain.strayed(bodies);
     if (valid_ && !sort && !wrap_now && !outlived(bodies)) {
       return false;
     }
@@ -104,7 +106,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t wrap_interval = 100; // steps; ours
+  static constexpr std::size_t wrap_interval = 100; // steps between two looks; ours
   static constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
 
   [[nodiscard]] bool sort_due(std::size_t step) const {

@@ -35,6 +35,20 @@ public:
   /// m, by which image number `image` (see Partner) of a sphere is away from the sphere.
   [[nodiscard]] const Vec3<double>& shift(std::uint32_t image) const { return shifts_[image]; }
 
+  /// Whether the centre of a body is further outside than a tenth of a period.
+  template <class Real>
+  [[nodiscard]] bool strayed(const Bodies<Real>& bodies) const {
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+      const Vector x = bodies.position(b);
+      for (int d = 0; d < 3; ++d) {
+        if (period_[d] > 0.0 && std::abs(x[d] / period_[d] - 0.5) > 0.6) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
   /// Brings the centres of all bodies back into the domain and calls `shifted(b, by)` for each that was
   /// outside, with the way [m] that it was moved. Returns whether there was one.
   template <class Real, class Shifted>

@@ -41,9 +41,10 @@ struct StepTimes {
 ///
 ///     scree::Simulation<> simulation{{.gravity = {0, 0, -9.81}}};
 ///     const auto rock = simulation.add_material({.normal_stiffness = 1e6, .shear_stiffness = 1e6});
-///     simulation.add_wall({.name = "floor", .surfaces = {{scree::Plane{}, rock}}, .dynamics =
-///     scree::Fixed{}}); simulation.add({.clump = &ball, .density = 2650, .material = rock, .position = {0,
-///     0, 1}}); scree::run_for(simulation, 1.0);
+///     simulation.add_wall(
+///         {.name = "floor", .surfaces = {{scree::Plane{}, rock}}, .dynamics = scree::Fixed{}});
+///     simulation.add({.clump = &ball, .material = rock, .position = {0, 0, 1}});
+///     scree::run_for(simulation, 1.0);
 ///
 /// Same input, same bits, for any number of threads and any neighbour search.
 template <class Model = DefaultModel>

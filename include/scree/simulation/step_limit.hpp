@@ -156,7 +156,8 @@ private:
 };
 
 /// The critical step of bodies and walls under a law. `near_walls`: how many spheres are near each wall; none
-/// if not yet known. \throws Error where the law lacks a constant of a pair of materials that can touch.
+/// if not yet known.
+/// \throws Error where the law lacks a constant of a pair of materials that can touch.
 template <ContactLaw Law, class Real, class AnyWall>
 StepLimit step_limit(const Bodies<Real>& bodies, std::span<const AnyWall> walls,
                      const MaterialTable& materials, const Law& law, double top_speed,

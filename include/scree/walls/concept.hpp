@@ -10,9 +10,8 @@
 /// Velocities in `motion` stand half a step behind the pose, as those of the grains do. Dynamics that give
 /// way to forces also say how easily, for the stable time step:
 ///
-///     // 1/kg, acceleration of the point that gives way most, at most `arm` [m] from the wall's origin,
-///     under a force
-///     // of 1 N.
+///     // 1/kg, acceleration under a force of 1 N of the point that gives way most, at most `arm` [m] from
+///     // the wall's origin.
 ///     double mobility(double arm) const;
 ///     // rad2/s2, of what holds the wall besides the grains (ropes), and its name for messages.
 ///     double squared_frequency() const;
