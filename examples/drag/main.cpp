@@ -36,7 +36,7 @@ Json described(const scree::BedReport& bed) {
           {"poured_porosity", bed.poured_porosity},
           {"bulk_density_kg_m3", bed.bulk_density},
           {"unbalanced_force_ratio", bed.unbalanced},
-          {"fastest_m_s", bed.fastest},
+          {"moving_share", bed.moving},
           {"at_rest", bed.at_rest},
           {"bodies_poured", bed.poured},
           {"bodies", bed.kept},
@@ -120,6 +120,7 @@ private:
   void dig(Rig& rig) {
     const auto watch = [&](const auto& simulation) { count(simulation); };
     rig.place_bucket(watch);
+    summary_["placed_pitch_deg"] = drag::degrees(rig.placed_pitch());
     drag::Table table{folder_};
     drag::Frames frames{folder_};
     double next_frame = 0.0, next_picture = 0.0;

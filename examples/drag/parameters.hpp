@@ -134,8 +134,8 @@ inline void bind(Options& options, Parameters& p) {
   options.add("bed.settling_damping", s.bed.settling_damping, {0.0, 0.99}, "local, while the bed is made");
   options.add("bed.rest", s.bed.rest, {1e-6, 1.0},
               "mean unbalanced over mean contact force that counts as rest");
-  options.add("bed.rest_speed", s.bed.rest_speed, {1e-6, 10.0, "m/s"},
-              "that no grain exceeds in a bed at rest");
+  options.add("bed.rest_speed", s.bed.rest_speed, {1e-6, 10.0, "m/s"}, "above which a grain moves");
+  options.add("bed.rest_share", s.bed.rest_share, {0.0, 1.0}, "of grains that may move in a bed at rest");
   options.add("bed.patience", s.bed.patience, {1e-3, 1e3, "s"}, "simulated, at most for each stage");
 
   options.group("Bucket: its shape");
@@ -172,6 +172,8 @@ inline void bind(Options& options, Parameters& p) {
   length("hitch_height", b.hitch_height, "of the hitch points above the floor's underside");
   length("hitch_radius", b.hitch_radius, "of the ear's round front");
   length("hitch_reach", b.hitch_reach, "from the cheek's front edge to the hitch point");
+  options.add("bucket.hitch_mass", b.hitch_mass, {0.0, 1e6, "kg"},
+              "at each hitch point: shackle, pins and the end of the chain");
   length("fillet_radius", b.fillet_radius, "inside, between cheek and floor (detailed)");
   length("arch_rise", b.arch_rise, "of the arch above the rim (detailed)");
   length("arch_radius", b.arch_radius, "of the arch's bar (detailed)");

@@ -34,8 +34,8 @@ TEST_CASE("a simple cubic lattice has the porosity 1 - pi/6, wherever the region
   const Bodies<double> bodies = balls(spheres);
   const Eigen::AlignedBox3d whole{Vector::Constant(0.5), Vector::Constant(4.5)};
   const Eigen::AlignedBox3d shifted{Vector::Constant(0.2), Vector::Constant(4.2)};
-  CHECK(porosity(bodies, whole) == test::about(exact, 0.003));
-  CHECK(porosity(bodies, shifted) == test::about(exact, 0.003));
+  CHECK(std::abs(porosity(bodies, whole) - exact) < 0.003);
+  CHECK(std::abs(porosity(bodies, shifted) - exact) < 0.003);
 }
 
 TEST_CASE("overlaps count once") {

@@ -75,13 +75,17 @@ inline std::array<Vector, 2> hitch_points(const DraglineBucket& bucket = {}) {
   return {Vector{x, y, bucket.hitch_height}, Vector{x, -y, bucket.hitch_height}};
 }
 
-/// Mass, centre and inertia of the detailed bucket as solid steel. Steel where two parts overlap counts
-/// twice, which adds about 3 % with the default dimensions; chains and rigging are not included.
+/// Mass, centre and inertia of the detailed bucket as solid steel, with its hitch mass at the hitch points.
+/// Steel where two parts overlap counts twice, which adds about 3 % with the default dimensions.
 /// \param steel_density kg/m3, above 0.
 /// \throws Error if a dimension is out of range or the density is not positive.
 inline MassProperties estimated_from_plates(const DraglineBucket& bucket = {},
                                             double steel_density = 7850.0) {
-  return solid_properties(make_dragline_bucket(bucket, BucketDetail::detailed), steel_density);
+  MassProperties body = solid_properties(make_dragline_bucket(bucket, BucketDetail::detailed), steel_density);
+  for (const Vector& hitch : hitch_points(bucket)) {
+    body = with_point_mass(body, bucket.hitch_mass, hitch);
+  }
+  return body;
 }
 
 } // namespace scree

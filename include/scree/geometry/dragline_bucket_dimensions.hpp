@@ -29,27 +29,29 @@ struct DraglineBucket {
   double length = 0.300; ///< m, from the rearmost point to the lip, without the teeth; 0.02 to 20
   double height = 0.175; ///< m, from the underside of the floor to the rim, without the arch; 0.02 to 20
 
-  double plate_thickness = 0.0045; ///< m, of floor, back and cheeks; to a tenth of the bucket
-  double mouth_rake = 0.54;        ///< rad, by which the cheeks' front edge leans rearward; 0 to 0.8
-  double back_rake = 0.25;         ///< rad, by which the back leans rearward; 0 to 0.8
-  double heel_radius = 0.090; ///< m, outside radius of the bend from floor to back; above plate_thickness
+  double plate_thickness = 0.004; ///< m, of floor, back and cheeks; to a tenth of the bucket
+  double mouth_rake = 0.54;       ///< rad, by which the cheeks' front edge leans rearward; 0 to 0.8
+  double back_rake = 0.25;        ///< rad, by which the back leans rearward; 0 to 0.8
+  double heel_radius = 0.090;     ///< m, outside radius of the bend from floor to back; above plate_thickness
 
   double lip_length = 0.060;    ///< m, of the thick front part of the floor; above lip_bevel
   double lip_bevel = 0.025;     ///< m, over which the lip thins towards its edge; above 0
-  double lip_thickness = 0.008; ///< m, of the lip where it is thickest; at least the plate's
+  double lip_thickness = 0.012; ///< m, of the lip where it is thickest; at least the plate's
   double lip_edge = 0.002;      ///< m, of the lip at its front edge; above 0, to lip_thickness
 
   int teeth = 5;                    ///< number of teeth, evenly spaced; 0 to 20
   double tooth_length = 0.045;      ///< m, in front of the lip; at least lip_bevel
   double tooth_width = 0.022;       ///< m, at the lip; above 0, all together to half the width
   double tooth_tip_width = 0.016;   ///< m; above 0, to tooth_width
-  double tooth_height = 0.016;      ///< m, at the lip; above 1.5 lip_edge
+  double tooth_height = 0.022;      ///< m, at the lip; above 1.5 lip_edge
   double tooth_tip_height = 0.0035; ///< m; above 0, to tooth_height
   double tooth_angle = 0.42; ///< rad, by which the teeth lean down from the floor: they bite first; 0 to 0.8
 
-  double hitch_height = 0.078; ///< m, of the hitch points above the floor's underside; between lip and rim
+  double hitch_height = 0.045; ///< m, of the hitch points above the floor's underside; between lip and rim
   double hitch_radius = 0.011; ///< m, of the round front of the ear on each cheek; above 0
   double hitch_reach = 0.022;  ///< m, from the cheek's front edge to the hitch point; above hitch_radius
+
+  double hitch_mass = 0.6; ///< kg, at each hitch point: shackle, pins and the end of the chain; 0 or above
 
   // Of the detailed bucket only:
   double fillet_radius = 0.010; ///< m, between the inside of a cheek and floor or back; above 0
@@ -104,6 +106,8 @@ inline void require_valid(const DraglineBucket& bucket) {
   require("hitch_reach", b.hitch_reach, {(1.05 + mouth_slope) * b.hitch_radius, b.length, "m"});
   require("hitch_height", b.hitch_height,
           {b.lip_thickness + b.hitch_radius, b.height - 1.5 * b.hitch_radius, "m"});
+
+  require("hitch_mass", b.hitch_mass, {0.0, 1e6, "kg"});
 
   require("arch_radius", b.arch_radius, {t, 0.05 * std::min(b.width, b.length), "m"});
   // The arch's bends must be wider than its bar.

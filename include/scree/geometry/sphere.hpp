@@ -2,7 +2,7 @@
 /// \file
 /// A sphere, and the mass properties of a solid.
 
-#include "scree/core/linear.hpp"
+#include "scree/geometry/mass_properties.hpp"
 
 namespace scree {
 
@@ -12,10 +12,4 @@ struct Sphere {
 };
 
 /// Mass properties of a solid. With unit density, `mass` is the volume in m3.
-struct MassProperties {
-  double mass = 0.0;               ///< kg
-  Vector centre = Vector::Zero();  ///< m, centre of mass
-  Matrix inertia = Matrix::Zero(); ///< kg m2, about the centre of mass, in the axes of `centre`
-};
-
 } // namespace scree

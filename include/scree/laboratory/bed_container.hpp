@@ -33,12 +33,12 @@ struct BedContainer {
   }
 
   /// A floor that follows the parabolic path of a bucket: shallow where it enters, deepest where it has
-  /// filled a bit over half of its way, and rising again in front. About three quarters of the box, as the
-  /// paper's; the numbers are ours.
+  /// filled, and rising again in front. Holds 0.76 of the box, where the paper's saves 25 % of the particles;
+  /// the numbers are ours.
   static BedContainer shaped(double length, double width, double depth) {
     return {length,
             width,
-            {{0.0, 0.45 * depth}, {0.35 * length, depth}, {0.7 * length, depth}, {length, 0.35 * depth}}};
+            {{0.0, 0.25 * depth}, {0.35 * length, depth}, {0.75 * length, depth}, {length, 0.15 * depth}}};
   }
 
   /// m.

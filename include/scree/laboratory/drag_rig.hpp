@@ -23,7 +23,7 @@ struct DragSample {
   double force = 0.0;       ///< N, of both ropes, mean since the sample before
   double force_left = 0.0;  ///< N
   double force_right = 0.0; ///< N
-  Attitude attitude{};      ///< rad
+  Attitude attitude{};      ///< rad; the pitch from where the bucket had come to rest [paper, section 7]
   double depth = 0.0;       ///< m, of the centre of gravity, normal to the bed, below its place at the start
   BucketFill fill{};
   std::size_t bodies = 0;
@@ -94,6 +94,7 @@ public:
     placed_ = true;
     run_for(simulation_, setup_.placing_time, watch);
     start_ = centre();
+    placed_pitch_ = attitude(bucket_motion().orientation).pitch;
     lost_at_start_ = simulation_.dissipation().friction;
     last_sample_ = simulation_.time();
     next_removal_ = setup_.removal_interval;
@@ -131,6 +132,7 @@ public:
     pulled_ = {};
     last_sample_ = simulation_.time();
     s.attitude = attitude(motion.orientation);
+    s.attitude.pitch -= placed_pitch_;
     s.depth = start_.z() - centre().z();
     s.fill = gauge_(simulation_.bodies(), motion);
     s.bodies = simulation_.bodies().size();
@@ -142,6 +144,8 @@ public:
 
   /// m, of the bucket's centre of gravity along the bed since the winch started.
   [[nodiscard]] double drag() const { return placed_ ? centre().x() - start_.x() : 0.0; }
+  /// rad, of the bucket at rest on the bed before it is pulled, against the level.
+  [[nodiscard]] double placed_pitch() const { return placed_pitch_; }
   [[nodiscard]] bool done() const { return drag() >= setup_.drag_distance; }
 
   [[nodiscard]] const Sim& simulation() const { return simulation_; }
@@ -263,6 +267,7 @@ private:
   BedReport report_;
   bool placed_ = false;
   double winch_start_ = 0.0, last_sample_ = 0.0, next_removal_ = 0.0, lost_at_start_ = 0.0;
+  double placed_pitch_ = 0.0;
   Vector start_ = Vector::Zero();
   std::array<double, 2> pulled_{};
 };

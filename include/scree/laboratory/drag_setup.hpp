@@ -90,13 +90,13 @@ struct DragSetup {
 /// All ours.
 inline DragSetup desk_drag() {
   DragSetup s;
-  s.size_factor = 1.1;
+  s.size_factor = 1.2;
   s.rock.normal_stiffness = s.rock.shear_stiffness = 1e5;
   s.steel.normal_stiffness = s.steel.shear_stiffness = 1e5;
   s.floor.normal_stiffness = s.floor.shear_stiffness = 1e5;
-  s.bed_length = 1.52;
+  s.bed_length = 1.8;
   s.bed_width = 0.42;
-  s.bed_depth = 0.2;
+  s.bed_depth = 0.3;
   s.bucket_start = 0.05;
   s.drag_speed = 0.75;
   s.ramp = 0.1;

@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -27,7 +26,8 @@ struct BedRecipe {
   double expected_porosity = 0.42;   ///< for how much to pour, where none is requested
   double settling_damping = 0.3;     ///< local, while the grains come to rest, in [0, 1)
   double rest = 0.05;                ///< mean unbalanced over mean contact force that counts as rest
-  double rest_speed = 0.05;          ///< m/s, that no grain exceeds in a bed at rest
+  double rest_speed = 0.05;          ///< m/s, above which a grain moves
+  double rest_share = 0.01;          ///< of the grains that may still move in a bed at rest
   double patience = 3.0;             ///< s of simulated time for each stage, above 0
 };
 
@@ -36,7 +36,7 @@ struct BedReport {
   double porosity = 0.0;        ///< of the core, away from walls and surface
   double poured_porosity = 0.0; ///< before it was made denser
   double unbalanced = 0.0;      ///< mean unbalanced over mean contact force
-  double fastest = 0.0;         ///< m/s, of a grain
+  double moving = 0.0;          ///< share of the grains that are faster than the recipe's rest_speed
   bool at_rest = false;         ///< whether both are within the recipe, or the patience was over first
   double bulk_density = 0.0;    ///< kg/m3, of all grains below the brim over the volume of the trough
   std::size_t poured = 0, kept = 0;
@@ -90,32 +90,35 @@ inline Packing poured(const BedContainer& bed, const Assembly& assembly, Materia
 /// How far a bed is from rest.
 struct Unrest {
   double unbalanced = 1.0; ///< mean unbalanced over mean contact force
-  double fastest = 0.0;    ///< m/s, of a grain
+  double moving = 1.0;     ///< share of the grains
 
   [[nodiscard]] bool within(const Unrest& bounds) const {
-    return unbalanced <= bounds.unbalanced && fastest <= bounds.fastest;
+    return unbalanced <= bounds.unbalanced && moving <= bounds.moving;
   }
 };
 
+/// \param rest_speed m/s, above which a grain moves
 template <class Simulation>
-Unrest unrest(const Simulation& simulation) {
-  Unrest now{unbalanced_force(simulation).ratio(), 0.0};
-  for (std::size_t b = 0; b < simulation.bodies().size(); ++b) {
-    now.fastest = std::max(now.fastest, simulation.bodies().velocity(b).norm());
+Unrest unrest(const Simulation& simulation, double rest_speed) {
+  const auto& bodies = simulation.bodies();
+  std::size_t moving = 0;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    moving += bodies.velocity(b).norm() > rest_speed ? 1 : 0;
   }
-  return now;
+  return {unbalanced_force(simulation).ratio(),
+          static_cast<double>(moving) / static_cast<double>(std::max<std::size_t>(1, bodies.size()))};
 }
 
-/// Steps, for `least` [s] at least, until the bed is within `bounds` or the patience [s] is over. Once its
-/// forces are balanced, every grain is stopped at intervals: the few that still roll over the surface would
-/// roll for seconds, and what is not in balance starts again by itself.
+/// Steps, for `least` [s] at least, until the bed is within `bounds` or the patience is over. When its forces
+/// are balanced, every grain is stopped from time to time, as those few that roll over the surface would roll
+/// for seconds: what is not in balance starts again by itself.
 template <class Simulation, class Watch>
-Unrest come_to_rest(Simulation& simulation, const Unrest& bounds, double least, double patience,
+Unrest come_to_rest(Simulation& simulation, const BedRecipe& recipe, const Unrest& bounds, double least,
                     Watch& watch) {
   constexpr double interval = 0.02; // s, ours: a grain in free fall comes to 0.2 m/s
   const double start = simulation.time();
-  Unrest now;
   double next = start + least;
+  Unrest now;
   run_while(
       simulation,
       [&](const auto& s) {
@@ -123,13 +126,15 @@ Unrest come_to_rest(Simulation& simulation, const Unrest& bounds, double least, 
           return true;
         }
         next = s.time() + interval;
-        now = unrest(s);
-        if (now.unbalanced <= bounds.unbalanced && now.fastest > bounds.fastest) {
-          for (std::size_t b = 0; b < s.bodies().size(); ++b) {
-            simulation.set_motion(b, Vector::Zero(), Vector::Zero());
-          }
+        now = unrest(s, recipe.rest_speed);
+        if (now.within(bounds) || s.time() >= start + recipe.patience) {
+          return false;
         }
-        return !now.within(bounds) && s.time() < start + patience;
+        const bool balanced = now.unbalanced <= bounds.unbalanced;
+        for (std::size_t b = 0; balanced && b < s.bodies().size(); ++b) {
+          simulation.set_motion(b, Vector::Zero(), Vector::Zero());
+        }
+        return true;
       },
       watch);
   return now;
@@ -194,6 +199,7 @@ BedReport settle_bed(Simulation& simulation, const BedContainer& bed, const Asse
   require_positive("bed surplus", recipe.surplus);
   require("bed settling damping", recipe.settling_damping, {0.0, 0.99});
   require_positive("bed rest speed", recipe.rest_speed, "m/s");
+  require("bed rest share", recipe.rest_share, {0.0, 1.0});
   require_positive("bed patience", recipe.patience, "s");
   const double start = simulation.time();
   BedReport report;
@@ -215,8 +221,7 @@ BedReport settle_bed(Simulation& simulation, const BedContainer& bed, const Asse
   BedStage stage{"settling", 0.0};
   const auto observe = [&](auto& s) { watch(s, stage); };
   // What still rolls over the surface is struck off or shaken anyway.
-  const double any_speed = std::numeric_limits<double>::infinity();
-  detail::come_to_rest(simulation, {recipe.rest, any_speed}, fall, recipe.patience, observe);
+  detail::come_to_rest(simulation, recipe, {recipe.rest, 1.0}, fall, observe);
 
   const Eigen::AlignedBox3d core = detail::bed_core(bed, grain);
   const auto measured = [&] { return porosity(simulation.bodies(), core); };
@@ -234,10 +239,10 @@ BedReport settle_bed(Simulation& simulation, const BedContainer& bed, const Asse
 
   stage = {"striking off", 0.8};
   simulation.remove_bodies([](const auto& bodies, std::size_t b) { return bodies.position(b).z() > 0.0; });
-  const detail::Unrest rest{recipe.rest, recipe.rest_speed};
-  const detail::Unrest left = detail::come_to_rest(simulation, rest, 0.05, recipe.patience, observe);
+  const detail::Unrest rest{recipe.rest, recipe.rest_share};
+  const detail::Unrest left = detail::come_to_rest(simulation, recipe, rest, 0.05, observe);
   report.unbalanced = left.unbalanced;
-  report.fastest = left.fastest;
+  report.moving = left.moving;
   report.at_rest = left.within(rest);
   simulation.set_local_damping(damping);
   report.porosity = measured();
