@@ -3,6 +3,7 @@
 /// A clump: overlapping spheres that move as one rigid body.
 
 #include "scree/core/error.hpp"
+#include "scree/geometry/mass_properties.hpp"
 #include "scree/geometry/principal_axes.hpp"
 #include "scree/geometry/sphere_union.hpp"
 

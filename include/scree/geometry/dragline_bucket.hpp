@@ -5,8 +5,8 @@
 #include "scree/core/linear.hpp"
 #include "scree/geometry/dragline_bucket_dimensions.hpp"
 #include "scree/geometry/dragline_bucket_parts.hpp"
+#include "scree/geometry/mass_properties.hpp"
 #include "scree/geometry/mesh_measures.hpp"
-#include "scree/geometry/sphere.hpp"
 #include "scree/geometry/tessellation.hpp"
 #include "scree/geometry/triangle_mesh.hpp"
 

@@ -6,6 +6,7 @@
 
 namespace scree {
 
+/// Of a solid. With unit density, `mass` is the volume in m3.
 struct MassProperties {
   double mass = 0.0;               ///< kg
   Vector centre = Vector::Zero();  ///< m, centre of mass

@@ -4,7 +4,7 @@
 
 #include "scree/core/error.hpp"
 #include "scree/core/linear.hpp"
-#include "scree/geometry/sphere.hpp"
+#include "scree/geometry/mass_properties.hpp"
 #include "scree/geometry/triangle_mesh.hpp"
 
 #include <Eigen/Geometry>

@@ -1,8 +1,8 @@
 #pragma once
 /// \file
-/// A sphere, and the mass properties of a solid.
+/// A sphere.
 
-#include "scree/geometry/mass_properties.hpp"
+#include "scree/core/linear.hpp"
 
 namespace scree {
 
@@ -11,5 +11,4 @@ struct Sphere {
   double radius = 0.0;            ///< m, above 0
 };
 
-/// Mass properties of a solid. With unit density, `mass` is the volume in m3.
 } // namespace scree

@@ -3,6 +3,7 @@
 /// Volume, centre and inertia of overlapping spheres: of their union, and of each one counted whole.
 
 #include "scree/core/error.hpp"
+#include "scree/geometry/mass_properties.hpp"
 #include "scree/geometry/sphere.hpp"
 #include "scree/geometry/sphere_slice.hpp"
 

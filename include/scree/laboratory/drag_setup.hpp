@@ -3,6 +3,7 @@
 /// Everything that a dragline experiment is given, with the paper's values where it states them.
 
 #include "scree/geometry/clump.hpp"
+#include "scree/geometry/mass_properties.hpp"
 #include "scree/laboratory/bed_container.hpp"
 #include "scree/laboratory/settled_bed.hpp"
 #include "scree/material/pair.hpp"

@@ -2,7 +2,7 @@
 /// \file
 /// A rigid body made of walls, free but for gravity, the grains and any number of ropes.
 
-#include "scree/geometry/sphere.hpp"
+#include "scree/geometry/mass_properties.hpp"
 #include "scree/state/rotation.hpp"
 #include "scree/walls/concept.hpp"
 #include "scree/walls/rope.hpp"
