@@ -47,7 +47,7 @@ struct DraglineBucket {
   double tooth_tip_height = 0.0035; ///< m; above 0, to tooth_height
   double tooth_angle = 0.42; ///< rad, by which the teeth lean down from the floor: they bite first; 0 to 0.8
 
-  double hitch_height = 0.045; ///< m, of the hitch points above the floor's underside; between lip and rim
+  double hitch_height = 0.040; ///< m, of the hitch points above the floor's underside; between lip and rim
   double hitch_radius = 0.011; ///< m, of the round front of the ear on each cheek; above 0
   double hitch_reach = 0.022;  ///< m, from the cheek's front edge to the hitch point; above hitch_radius
 
