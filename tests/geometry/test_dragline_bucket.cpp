@@ -272,7 +272,7 @@ TEST_CASE("dimensions out of range are refused by name") {
     for (int i = 0; i < 2; ++i) {
       try {
         (void)(i == 0 ? make_dragline_bucket(bucket) : bucket_interior(bucket));
-        FAIL_CHECK(name << " = " << value << " is accepted");
+        FAIL_CHECK(std::string{name} << " = " << value << " is accepted");
       } catch (const Error& error) {
         CHECK_MESSAGE(std::string(error.what()).find(name) != std::string::npos, error.what());
       }
@@ -291,11 +291,12 @@ TEST_CASE("dimensions out of range are refused by name") {
   refuses(&DraglineBucket::heel_radius, nan, "heel_radius");
   refuses(&DraglineBucket::fillet_radius, 0.2, "fillet_radius");
   refuses(&DraglineBucket::lip_length, 0.02, "lip_length");
-  refuses(&DraglineBucket::lip_edge, 0.01, "lip_edge");
+  refuses(&DraglineBucket::lip_edge, 0.02, "lip_edge");
   refuses(&DraglineBucket::tooth_width, 0.1, "tooth_width");
-  refuses(&DraglineBucket::tooth_tip_height, 0.02, "tooth_tip_height");
+  refuses(&DraglineBucket::tooth_tip_height, 0.03, "tooth_tip_height");
   refuses(&DraglineBucket::hitch_height, 0.2, "hitch_height");
   refuses(&DraglineBucket::hitch_reach, 0.001, "hitch_reach");
+  refuses(&DraglineBucket::hitch_mass, -1.0, "hitch_mass");
   refuses(&DraglineBucket::arch_rise, 0.01, "arch_rise");
   refuses(&DraglineBucket::rail_radius, 0.1, "rail_radius");
   DraglineBucket toothy;
