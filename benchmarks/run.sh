@@ -1,6 +1,7 @@
 #!/bin/sh
-# sh benchmarks/run.sh [NAME...] [--benchmark_...]: installs what is missing, configures, builds for this very
+# sh benchmarks/run.sh [NAME...] [--keep] [--benchmark_...]: installs what is missing, configures, builds for this very
 # machine and runs the benchmarks of the folders NAME, or all of them. Options go to each (Google Benchmark's).
+# --keep also puts each answer, as JSON, under benchmarks/results/.
 # sh benchmarks/run.sh peers [options]: side by side with other programs (benchmarks/peers/run.sh).
 set -u
 root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd) || exit 1
@@ -20,10 +21,12 @@ for folder in "$root"/benchmarks/*/; do
 done
 
 names=
+keep=false
 targets=
 options=
 for argument in "$@"; do
   case $argument in
+  --keep) keep=true ;;
   -*) options="$options $argument" ;;
   *)
     case "$known " in
@@ -41,9 +44,13 @@ install_missing
 configure native || exit 1
 # shellcheck disable=SC2086 # lists of names
 build native $targets || exit 1
+results=$root/benchmarks/results/$(machine_name)
+if $keep; then mkdir -p "$results" || exit 1; fi
 status=0
 for name in $names; do
   # shellcheck disable=SC2086
-  "$root/build/native/benchmarks/$name" $options || status=$?
+  set -- $options
+  if $keep; then set -- "$@" "--benchmark_out=$results/$name.json" --benchmark_out_format=json; fi
+  "$root/build/native/benchmarks/$name" "$@" || status=$?
 done
 exit "$status"

@@ -90,6 +90,11 @@ build() {
   done
 }
 
+cpu_name() { sed -n 's/^model name[[:space:]]*: //p' /proc/cpuinfo 2>/dev/null | head -n 1; }
+# The name under which results of this machine are kept in benchmarks/results.
+machine_name() {
+  echo "$(cpu_name) $(processors) cores" | tr -cs 'A-Za-z0-9\n' '-' | tr '[:upper:]' '[:lower:]' | sed 's/^-//; s/-$//'
+}
 processors() { nproc 2>/dev/null || getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1; }
 
 # run_ctest PRESET [ctest options]: failures and CTest's summary, then sets $passed, $failed and $skipped.

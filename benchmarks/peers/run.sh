@@ -69,7 +69,7 @@ cat "$out/same.txt"
 
 commit=$(git -C "$root" rev-parse --short HEAD 2>/dev/null || echo unknown)
 [ -z "$(git -C "$root" status --porcelain -- include benchmarks cmake 2>/dev/null)" ] || commit=$commit+changes
-cpu=$(sed -n 's/^model name[[:space:]]*: //p' /proc/cpuinfo 2>/dev/null | head -n 1)
+cpu=$(cpu_name)
 flags_of() {
   tr -d '\n' <"$root/build/$1/compile_commands.json" | tr '{' '\n' | sed -n '/benchmarks\/peers\/main/p' |
     tr ' ' '\n' | grep -E '^-(O|std|D|m|f)' | grep -v '^-fdiagnostics' | tr '\n' ' '
@@ -148,8 +148,7 @@ cat "$out/peers.md"
 gnuplot -e "out='$out'" "$root/benchmarks/peers/chart.gp" || say "warning: no chart (gnuplot failed)"
 
 if $keep; then
-  machine=$(echo "$cpu $(processors) cores" | tr -cs 'A-Za-z0-9\n' '-' | tr '[:upper:]' '[:lower:]' | sed 's/^-//; s/-$//')
-  results=$root/benchmarks/results/$machine
+  results=$root/benchmarks/results/$(machine_name)
   mkdir -p "$results" && cp "$out/peers.csv" "$out/peers.md" "$out/machine.txt" "$out/same.txt" "$results/" || exit 1
   say "Kept in $results"
 fi
