@@ -103,7 +103,7 @@ private:
           const double expected = 4.0 * std::sqrt(2.0 * p_.setup.bed_depth / 9.81);
           count(simulation);
           progress_(bed_share * std::min(0.99, std::max(stage.share, simulation.time() / expected)),
-                    "bed: " + stage.name);
+                    fmt::format("bed: {} {} grains", stage.name, simulation.bodies().size()));
         });
     drag::write_sizes(folder_ / "sizes.csv", assembly, bed.drawn);
     complain(drag::draw_sizes(folder_));

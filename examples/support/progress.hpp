@@ -52,13 +52,16 @@ public:
   }
 
   /// The line for a share of the work and the seconds since the start. The end is estimated from the mean
-  /// rate so far.
+  /// rate so far, once a hundredth is done or half a minute is over.
   static std::string line(double share, const std::string& what, double elapsed) {
-    const std::string left = share > 0.01 && share < 1.0
-                                 ? fmt::format(", about {} left", clock_text(elapsed * (1.0 - share) / share))
+    const double done = std::clamp(share, 0.0, 1.0);
+    const bool slow = done > 0.0 && done < 0.01 && elapsed > 30.0;
+    const std::string left = (done > 0.01 || slow) && done < 1.0
+                                 ? fmt::format(", about {} left", clock_text(elapsed * (1.0 - done) / done))
                                  : "";
-    return fmt::format("{:3.0f} %  {}  {} elapsed{}", 100.0 * std::clamp(share, 0.0, 1.0), what,
-                       clock_text(elapsed), left);
+    const std::string percent =
+        slow ? fmt::format("{:.2g}", 100.0 * done) : fmt::format("{:3.0f}", 100.0 * done);
+    return fmt::format("{} %  {}  {} elapsed{}", percent, what, clock_text(elapsed), left);
   }
 
   [[nodiscard]] double elapsed() const { return now_() - start_; }

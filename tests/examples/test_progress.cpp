@@ -87,6 +87,7 @@ TEST_CASE("times are read as on a clock") {
 TEST_CASE("the end is estimated from the mean rate") {
   CHECK(Progress::line(0.25, "drag 0.25 m", 60.0) == " 25 %  drag 0.25 m  1:00 elapsed, about 3:00 left");
   CHECK_MESSAGE(Progress::line(0.001, "bed", 1.0) == "  0 %  bed  0:01 elapsed", "too early to tell");
+  CHECK(Progress::line(0.001, "bed", 60.0) == "0.1 %  bed  1:00 elapsed, about 16:39:00 left");
   CHECK(Progress::line(1.0, "done", 240.0) == "100 %  done  4:00 elapsed");
   CHECK(Progress::line(1.7, "done", 240.0) == "100 %  done  4:00 elapsed");
 }
