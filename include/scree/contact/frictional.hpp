@@ -12,8 +12,8 @@
 ///                                 std::span<T, history_size> history) const;
 ///     // Adds to the couple on i [N m].
 ///     template <class T> Vec3<T> couple(const PairMaterial<T>&, const Kinematics<T>&, T normal_stiffness,
-///                                       T normal_force, std::span<T, history_size> history, T&
-///                                       frictional_work) const;
+///                                       T normal_force, std::span<T, history_size> history,
+///                                       T& frictional_work) const;
 ///
 /// With its parameter at the null value it must leave the base law's result as it is, to the bit.
 
@@ -91,9 +91,8 @@ template <class T>
 
 /// A contact law made of a normal model and any number of extensions.
 ///
-/// Tangential force: F_s = s' - c_s v_t with the spring force s turned with the contact and s' = s - k_s v_t
-/// dt, neither of them beyond mu F_n (Coetzee
-/// et al. 2010 Eq. (2), in three dimensions).
+/// Tangential force: F_s = s' - c_s v_t with the spring force s turned with the contact and
+/// s' = s - k_s v_t dt, neither of them beyond mu F_n (Coetzee et al. 2010 Eq. (2), in three dimensions).
 ///
 /// History: three numbers of the tangential spring force [N], those of the normal model, those of each
 /// extension.

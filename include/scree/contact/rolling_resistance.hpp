@@ -7,8 +7,8 @@
 namespace scree {
 
 /// Elastic-plastic rolling spring (model C of Ai, Chen, Rotter & Ooi, Powder Technol. 206:269, 2011, without
-/// its dashpot): the couple grows by k_r times the relative rolling, k_r = 2.25 k_n mu_r^2 R*^2, up to mu_r
-/// R* F_n. `Material::rolling_friction` is mu_r; 0 gives the base law to the bit.
+/// its dashpot): the couple grows by k_r times the relative rolling, k_r = 2.25 k_n mu_r^2 R*^2, up to
+/// mu_r R* F_n. `Material::rolling_friction` is mu_r; 0 gives the base law to the bit.
 ///
 /// History: the rolling couple on i [N m].
 struct RollingResistance {
