@@ -115,6 +115,11 @@ private:
         "bed: {} grains of {} spheres, porosity {:.3f}, bulk density {:.0f} kg/m3, time step {:.3g} s\n",
         bed.kept, rig.simulation().bodies().sphere_count(), bed.porosity, bed.bulk_density,
         rig.simulation().time_step());
+    if (!bed.at_rest) {
+      fmt::print("bed: not at rest within bed.patience = {} s: unbalanced force ratio {:.2g}, {:.2g} of the "
+                 "grains faster than bed.rest_speed\n",
+                 p_.setup.bed.patience, bed.unbalanced, bed.moving);
+    }
   }
 
   void dig(Rig& rig) {

@@ -70,6 +70,20 @@ TEST_CASE("Hertz's law without Young's modulus names the pair and the parameter"
   CHECK(holds(said, "youngs_modulus gives E* = 0 Pa"));
 }
 
+TEST_CASE("an extension's parameter out of range is refused by its name") {
+  struct Rolling : DefaultModel {
+    using Contact = LinearSpring<RollingResistance>;
+  };
+  for (const double damping : {-0.1, std::nan("")}) {
+    Simulation<Rolling> sim{{.contact = Rolling::Contact{RollingResistance{damping}}, .time_step = 1e-6}};
+    const auto rock = sim.add_material({.name = "rock", .normal_stiffness = 1e6});
+    sim.add({.clump = &ball, .material = rock});
+    const std::string said = complaint([&] { sim.step(); });
+    CAPTURE(said);
+    CHECK(holds(said, message("RollingResistance::damping = ", damping, " is outside [0, ")));
+  }
+}
+
 TEST_CASE("materials that meet nowhere need not suit the law") {
   Simulation<> sim{{.time_step = 1e-6}};
   const auto rock = sim.add_material({.name = "rock", .normal_stiffness = 1e6});

@@ -61,6 +61,30 @@ TEST_CASE("the rolling couple grows with the relative turn and stops at mu_r R* 
   CHECK(contact.friction > 10.0 * held);
 }
 
+TEST_CASE("the rolling dashpot adds to the spring below the limit, and nothing beyond it") {
+  const double mu_r = 0.2, dt = 1e-6, spin = 0.4, damping = 0.3;
+  DrivenContact<Rolling> bare{Rolling{}, material(mu_r), radius_i, radius_j};
+  DrivenContact<Rolling> damped{Rolling{RollingResistance{damping}}, material(mu_r), radius_i, radius_j};
+  const Vector i{0.0, 0.0, radius_i + radius_j - overlap}, j = Vector::Zero();
+  const double reduced_mass = 0.5; // of two of 1 kg
+  const double stiffness = 2.25 * 1e6 * mu_r * mu_r * reduced_radius * reduced_radius;
+  const double dashpot =
+      2.0 * damping * std::sqrt(1.4 * reduced_mass * reduced_radius * reduced_radius * stiffness);
+  bare.place(i, j);
+  damped.place(i, j);
+  for (auto* contact : {&bare, &damped}) {
+    contact->move(i, j, {spin, 0.0, 0.0}, Vector::Zero(), dt);
+  }
+  CHECK(relative_error(bare.force.couple.x - damped.force.couple.x, dashpot * spin) < 1e-9);
+  for (int k = 0; k < 400000; ++k) {
+    for (auto* contact : {&bare, &damped}) {
+      contact->move(i, j, {spin, 0.0, 0.0}, Vector::Zero(), dt);
+    }
+  }
+  CHECK(damped.force.couple.x == bare.force.couple.x);
+  CHECK(damped.friction > bare.friction);
+}
+
 TEST_CASE("spin about the normal meets no rolling resistance") {
   DrivenContact<Rolling> contact{Rolling{}, material(0.3), radius_i, radius_j};
   const Vector i{0.0, 0.0, radius_i + radius_j - overlap}, j = Vector::Zero();

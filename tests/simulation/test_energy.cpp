@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 #include <vector>
 
 using namespace scree;
@@ -46,8 +47,19 @@ template <class Model>
 struct Bed : Simulation<Model> {
   Clump clump;
 
+  static auto law() {
+    if constexpr (std::is_constructible_v<typename Model::Contact, RollingResistance>) {
+      return typename Model::Contact{RollingResistance{.damping = 0.3}}; // as Ai et al. (2011) take it
+    } else {
+      return typename Model::Contact{};
+    }
+  }
+
   explicit Bed(const Case& c, double step_safety, std::size_t count = 45)
-      : Simulation<Model>{{.step_safety = step_safety, .top_speed = 3.0, .local_damping = c.local_damping}},
+      : Simulation<Model>{{.contact = law(),
+                           .step_safety = step_safety,
+                           .top_speed = 3.0,
+                           .local_damping = c.local_damping}},
         clump{c.stones ? test::stone(0.8 * size) : test::ball(size)} {
     const auto rock = this->add_material({.normal_stiffness = 4e4,
                                           .shear_stiffness = 3e4,
@@ -142,7 +154,7 @@ template <class Model>
 void check_rest(bool stones) {
   CAPTURE(stones);
   Bed<Model> bed{{.stones = stones, .restitution = 0.6, .local_damping = 0.5}, 0.25};
-  run_for(bed, 4.0);
+  run_for(bed, 2.5);
   CHECK(unbalanced(bed) < 1e-4);
   // And stays, without the help of the damping.
   bed.set_local_damping(0.0);
@@ -158,14 +170,9 @@ void check_rest(bool stones) {
   }
   CHECK(most < 1e-4);
   REQUIRE(bed.bodies().id(0) == first);
-  // A grain that lies loose on the others may still rock; the stack as a whole does not creep.
-  std::vector<double> drift;
   for (std::size_t b = 0; b < bed.bodies().size(); ++b) {
-    drift.push_back((bed.bodies().position(b) - at[b]).norm());
+    CHECK((bed.bodies().position(b) - at[b]).norm() < 1e-6 * size);
   }
-  std::sort(drift.begin(), drift.end());
-  CHECK(drift[drift.size() / 2] < 1e-6 * size);
-  CHECK(drift.back() < 1e-3 * size);
 }
 
 } // namespace

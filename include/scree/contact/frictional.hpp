@@ -14,6 +14,8 @@
 ///     template <class T> Vec3<T> couple(const PairMaterial<T>&, const Kinematics<T>&, T normal_stiffness,
 ///                                       T normal_force, std::span<T, history_size> history,
 ///                                       T& frictional_work) const;
+///     // Throws Error for parameters that do not fit, with the names of the two materials.
+///     void check(const PairMaterial<double>&, std::string_view names) const;
 ///
 /// With its parameter at the null value it must leave the base law's result as it is, to the bit.
 
@@ -129,6 +131,12 @@ public:
 
   void check(const PairMaterial<double>& pair, std::string_view names) const {
     NormalModel::check(pair, names);
+    const auto check_one = [&](const auto& extension) {
+      if constexpr (requires { extension.check(pair, names); }) {
+        extension.check(pair, names);
+      }
+    };
+    std::apply([&](const auto&... extension) { (check_one(extension), ...); }, extensions_);
   }
 
   [[nodiscard]] ContactStiffness stiffness(const PairMaterial<double>& pair, double reduced_radius,

@@ -27,7 +27,7 @@ struct BedRecipe {
   double settling_damping = 0.3;     ///< local, while the grains come to rest, in [0, 1)
   double rest = 0.05;                ///< mean unbalanced over mean contact force that counts as rest
   double rest_speed = 0.05;          ///< m/s, above which a grain moves
-  double rest_share = 0.01;          ///< of the grains that may still move in a bed at rest
+  double rest_share = 0.0;           ///< of the grains that may still move in a bed at rest, in [0, 1]
   double patience = 3.0;             ///< s of simulated time for each stage, above 0
 };
 
@@ -109,6 +109,14 @@ Unrest unrest(const Simulation& simulation, double rest_speed) {
           static_cast<double>(moving) / static_cast<double>(std::max<std::size_t>(1, bodies.size()))};
 }
 
+/// Takes all motion away.
+template <class Simulation>
+void stop_all(Simulation& simulation) {
+  for (std::size_t b = 0; b < simulation.bodies().size(); ++b) {
+    simulation.set_motion(b, Vector::Zero(), Vector::Zero());
+  }
+}
+
 /// Steps, for `least` [s] at least, until the bed is within `bounds` or the patience is over. When its forces
 /// are balanced, every grain is stopped from time to time, as those few that roll over the surface would roll
 /// for seconds: what is not in balance starts again by itself.
@@ -130,9 +138,8 @@ Unrest come_to_rest(Simulation& simulation, const BedRecipe& recipe, const Unres
         if (now.within(bounds) || s.time() >= start + recipe.patience) {
           return false;
         }
-        const bool balanced = now.unbalanced <= bounds.unbalanced;
-        for (std::size_t b = 0; balanced && b < s.bodies().size(); ++b) {
-          simulation.set_motion(b, Vector::Zero(), Vector::Zero());
+        if (now.unbalanced <= bounds.unbalanced) {
+          stop_all(simulation);
         }
         return true;
       },
@@ -142,7 +149,8 @@ Unrest come_to_rest(Simulation& simulation, const BedRecipe& recipe, const Unres
 
 } // namespace detail
 
-/// Shakes the bed without friction until `measured()` reaches the recipe's porosity. Returns the porosity.
+/// Shakes the bed without friction until `measured()` reaches the recipe's porosity, and stops all grains
+/// there, as in motion they would pack on while friction takes hold. Returns the porosity.
 /// \throws Error where it cannot be reached.
 template <class Simulation, class Measured, class Watch>
 double densify(Simulation& simulation, MaterialId rock, const BedRecipe& recipe, const Measured& measured,
@@ -164,7 +172,7 @@ double densify(Simulation& simulation, MaterialId rock, const BedRecipe& recipe,
       [&](const auto& s) {
         const double t = s.time() - start;
         simulation.set_gravity(gravity * (1.0 + 0.1 * std::sin(2.0 * std::numbers::pi * 20.0 * t)));
-        if (s.time() - checked >= 0.005) {
+        if (s.time() - checked >= 0.001) {
           checked = s.time();
           porosity = measured();
           densest = std::min(densest, porosity);
@@ -174,6 +182,7 @@ double densify(Simulation& simulation, MaterialId rock, const BedRecipe& recipe,
       watch);
   simulation.set_gravity(gravity);
   simulation.change_material(rock, material);
+  detail::stop_all(simulation);
   if (porosity > recipe.porosity + recipe.porosity_tolerance) {
     throw Error(message("bed porosity = ", recipe.porosity, " is denser than this material packs: it allows ",
                         densest, " to ", loosest));
