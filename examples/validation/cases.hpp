@@ -5,6 +5,7 @@
 #include "finding.hpp"
 #include "normal_impact.hpp"
 #include "oblique_impact.hpp"
+#include "single_spheres.hpp"
 #include "spinning_impact.hpp"
 
 #include <functional>
@@ -27,6 +28,9 @@ inline std::vector<Case> all_cases() {
       {"oblique_impact_linear", "the same by the linear law",
        [](const Inputs& in) { return kharaz<scree::LinearSpring<>>(in, "linear"); }},
       {"constant_normal_speed", "Chung & Ooi 5", constant_normal_speed},
+      {"falling_sphere", "MFiX DEM01 and DEM02", falling_sphere},
+      {"stacked_spheres", "MFiX DEM03", stacked_spheres},
+      {"sliding_sphere", "MFiX DEM04", sliding_sphere},
       {"spinning_impact", "Chung & Ooi 6 to 8", spinning_impact},
   };
 }
