@@ -69,6 +69,12 @@ struct Outcome {
   std::vector<Finding> findings;
   std::vector<Chart> charts;
   std::vector<std::string> notes; ///< what could not be compared, and why
+
+  /// Adds a line to the table, in the order of its fields.
+  void add(const std::string& case_name, const std::string& quantity, const std::string& unit,
+           double reference, const Source& source, double simulated, const Tolerance& tolerance,
+           const std::string& reason = {});
+  void draw(const Chart& chart);
 };
 
 /// What every case is given.

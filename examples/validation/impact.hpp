@@ -2,10 +2,13 @@
 /// \file
 /// A sphere that meets a plane or another sphere, from before the contact to after it.
 
+#include "finding.hpp"
+
 #include "scree/simulation/simulation.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 namespace validation {
@@ -99,6 +102,19 @@ ImpactRecord impact(const std::vector<Ball>& balls, const scree::Material* plane
   return record;
 }
 
+/// kg
+inline double mass_of(const Ball& ball) {
+  return 4.0 / 3.0 * std::numbers::pi * std::pow(ball.radius, 3) * ball.material.density;
+}
+
+/// E* of Hertz [Pa].
+inline double effective_modulus(const scree::Material& a, const scree::Material& b) {
+  const auto part = [](const scree::Material& m) {
+    return (1.0 - m.poisson_ratio * m.poisson_ratio) / m.youngs_modulus;
+  };
+  return 1.0 / (part(a) + part(b));
+}
+
 /// Hertz's closed form of an elastic normal impact.
 struct HertzImpact {
   double greatest_overlap, greatest_force, duration;
@@ -110,5 +126,15 @@ struct HertzImpact {
         // 4/5 B(2/5, 1/2) U / v
         duration{2.943275 * greatest_overlap / speed} {}
 };
+
+/// Of what rigid bodies say of an impact that slides throughout.
+/// \param arm share by which friction's arm is shorter at the deepest: half the overlap over the radius
+inline Tolerance sliding_tolerance(double arm = 0.0) {
+  return {1e-3 + arm, true,
+          arm > 0.0
+              ? "stretch of the tangential spring before it slides, 1/1000 (ours), and half the overlap "
+                "off friction's arm"
+              : "stretch of the tangential spring before it slides, 1/1000 (ours)"};
+}
 
 } // namespace validation

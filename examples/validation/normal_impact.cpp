@@ -1,8 +1,7 @@
-#pragma once
 /// \file
 /// Chung & Ooi (2011), tests 1 to 3: normal impact, elastic and with restitution.
 
-#include "finding.hpp"
+#include "cases.hpp"
 #include "impact.hpp"
 #include "reference_curve.hpp"
 
@@ -15,40 +14,28 @@
 
 namespace validation {
 
-inline const Source hertz{Origin::theory, "Hertz (1882), closed form of the elastic impact"};
+const Source hertz{Origin::theory, "Hertz (1882), closed form of the elastic impact"};
 
-namespace detail {
-
-inline double ball_mass(const Ball& ball) {
-  return 4.0 / 3.0 * std::numbers::pi * std::pow(ball.radius, 3) * ball.material.density;
-}
-
-inline double effective_modulus(const scree::Material& a, const scree::Material& b) {
-  const auto part = [](const scree::Material& m) {
-    return (1.0 - m.poisson_ratio * m.poisson_ratio) / m.youngs_modulus;
-  };
-  return 1.0 / (part(a) + part(b));
-}
+namespace {
 
 /// Extremes of an elastic impact beside Hertz's.
-inline void compare_with_hertz(Outcome& out, const std::string& case_name, const ImpactRecord& record,
-                               const HertzImpact& theory, int steps) {
+void compare_with_hertz(Outcome& out, const std::string& case_name, const ImpactRecord& record,
+                        const HertzImpact& theory, int steps) {
   // The leapfrog is of second order; the end of a contact is known to one step.
   const Tolerance second_order{10.0 * std::pow(std::numbers::pi / steps, 2), true,
                                "second order of the time step"};
   const Tolerance one_step{2.0 / steps, true, "one time step at either end"};
-  out.findings.push_back(
-      {case_name, "greatest force", "N", theory.greatest_force, hertz, record.greatest_force, second_order});
-  out.findings.push_back({case_name, "greatest overlap", "m", theory.greatest_overlap, hertz,
-                          record.greatest_overlap, second_order});
-  out.findings.push_back({case_name, "duration", "s", theory.duration, hertz, record.duration, one_step});
+  out.add(case_name, "greatest force", "N", theory.greatest_force, hertz, record.greatest_force,
+          second_order);
+  out.add(case_name, "greatest overlap", "m", theory.greatest_overlap, hertz, record.greatest_overlap,
+          second_order);
+  out.add(case_name, "duration", "s", theory.duration, hertz, record.duration, one_step);
 }
 
 /// A curve read off the figure, beside what was simulated.
-inline void compare_with_curve(Outcome& out, const std::string& case_name, const Inputs& inputs,
-                               const std::string& file, const std::string& quantity,
-                               const std::string& x_label, std::vector<double> x,
-                               const std::vector<double>& force) {
+void compare_with_curve(Outcome& out, const std::string& case_name, const Inputs& inputs,
+                        const std::string& file, const std::string& quantity, const std::string& x_label,
+                        std::vector<double> x, const std::vector<double>& force) {
   if (inputs.reference.empty()) {
     out.notes.push_back(case_name + ": the digitised curve needs the reference data");
     return;
@@ -59,25 +46,22 @@ inline void compare_with_curve(Outcome& out, const std::string& case_name, const
     simulated.y.push_back(1e-3 * f);
   }
   const double scale = *std::max_element(read.y.begin(), read.y.end());
-  out.findings.push_back({case_name,
-                          quantity + ": rms distance over the greatest",
-                          "1",
-                          0.0,
-                          {Origin::code, "Chung & Ooi (2011), figure digitised by the Kratos project"},
-                          rms_distance(read, simulated) / scale,
-                          {0.02, false, "reading of a printed figure, 2 % of its height (ours)"}});
-  out.charts.push_back({file.substr(file.find('/') + 1, file.rfind('.') - file.find('/') - 1),
-                        case_name,
-                        x_label,
-                        "force, kN",
-                        {std::move(read)},
-                        {std::move(simulated)}});
+  out.add(case_name, quantity + ": rms distance over the greatest", "1", 0.0,
+          {Origin::code, "Chung & Ooi (2011), figure digitised by the Kratos project"},
+          rms_distance(read, simulated) / scale,
+          {0.02, false, "reading of a printed figure, 2 % of its height (ours)"});
+  out.draw({file.substr(file.find('/') + 1, file.rfind('.') - file.find('/') - 1),
+            case_name,
+            x_label,
+            "force, kN",
+            {std::move(read)},
+            {std::move(simulated)}});
 }
 
-} // namespace detail
+} // namespace
 
 /// Tests 1 and 2: two like spheres at 10 m/s each, and a sphere on a rigid plane at 0.2 m/s.
-inline Outcome elastic_normal_impact(const Inputs& inputs) {
+Outcome elastic_normal_impact(const Inputs& inputs) {
   struct Given {
     const char* name;
     scree::Material material;
@@ -133,16 +117,16 @@ inline Outcome elastic_normal_impact(const Inputs& inputs) {
   for (const Given& g : all) {
     std::vector<Ball> balls{{g.material, g.radius, {0.0, 0.0, -g.speed}}};
     const scree::Material plane = rigid(g.material);
-    const double mass = detail::ball_mass(balls.front());
+    const double mass = mass_of(balls.front());
     if (!g.plane) {
       balls.push_back({g.material, g.radius, {0.0, 0.0, g.speed}});
     }
-    const HertzImpact theory{detail::effective_modulus(g.material, g.plane ? plane : g.material),
+    const HertzImpact theory{effective_modulus(g.material, g.plane ? plane : g.material),
                              g.plane ? g.radius : 0.5 * g.radius, g.plane ? mass : 0.5 * mass,
                              g.plane ? g.speed : 2.0 * g.speed};
     const auto record =
         impact<scree::HertzMindlin<>>(balls, g.plane ? &plane : nullptr, theory.duration, steps);
-    detail::compare_with_hertz(out, g.name, record, theory, steps);
+    compare_with_hertz(out, g.name, record, theory, steps);
     if (g.curve != nullptr) {
       std::vector<double> micrometres, microseconds;
       for (std::size_t k = 0; k < record.time.size(); ++k) {
@@ -150,17 +134,17 @@ inline Outcome elastic_normal_impact(const Inputs& inputs) {
         microseconds.push_back(1e6 * (record.time[k] - record.time.front()));
       }
       const std::string file = g.curve;
-      detail::compare_with_curve(out, g.name, inputs, file + "_force_displacement.csv", "force over overlap",
-                                 "overlap, um", micrometres, record.force);
-      detail::compare_with_curve(out, g.name, inputs, file + "_force_time.csv", "force over time", "time, us",
-                                 microseconds, record.force);
+      compare_with_curve(out, g.name, inputs, file + "_force_displacement.csv", "force over overlap",
+                         "overlap, um", micrometres, record.force);
+      compare_with_curve(out, g.name, inputs, file + "_force_time.csv", "force over time", "time, us",
+                         microseconds, record.force);
     }
   }
   return out;
 }
 
 /// Test 3: what comes back of 3.9 m/s for restitutions of 0.2 to 1.
-inline Outcome restitution(const Inputs&) {
+Outcome restitution(const Inputs& /*inputs*/) {
   constexpr int steps = 4000;
   constexpr double radius = 0.0025, speed = 3.9;
   Outcome out;
@@ -177,28 +161,22 @@ inline Outcome restitution(const Inputs&) {
       material.restitution = e;
       const Ball ball{material, radius, {0.0, 0.0, -speed}};
       const scree::Material plane = rigid(material);
-      const HertzImpact theory{detail::effective_modulus(material, plane), radius, detail::ball_mass(ball),
-                               speed};
+      const HertzImpact theory{effective_modulus(material, plane), radius, mass_of(ball), speed};
       const auto record = impact<scree::HertzMindlin<>>({ball}, &plane, theory.duration, steps);
       const double back = record.after[0].velocity.z() / speed;
-      out.findings.push_back({name,
-                              fmt::format("restitution of {}", e),
-                              "1",
-                              e,
-                              {Origin::theory, "the one requested"},
-                              back,
-                              {10.0 / steps, false, "a few time steps at the end of the contact"}});
+      out.add(name, fmt::format("restitution of {}", e), "1", e, {Origin::theory, "the one requested"}, back,
+              {10.0 / steps, false, "a few time steps at the end of the contact"});
       given.x.push_back(e);
       given.y.push_back(e);
       simulated.x.push_back(e);
       simulated.y.push_back(back);
     }
-    out.charts.push_back({iron ? "test3_cast_iron" : "test3_aluminium_oxide",
-                          name,
-                          "restitution requested",
-                          "restitution found",
-                          {given},
-                          {simulated}});
+    out.draw({iron ? "test3_cast_iron" : "test3_aluminium_oxide",
+              name,
+              "restitution requested",
+              "restitution found",
+              {given},
+              {simulated}});
   }
   return out;
 }

@@ -1,10 +1,8 @@
-#pragma once
 /// \file
 /// Chung & Ooi (2011), tests 5 to 8: oblique impact at one normal speed, and normal impact with spin.
 
-#include "finding.hpp"
+#include "cases.hpp"
 #include "impact.hpp"
-#include "oblique_impact.hpp"
 #include "reference_curve.hpp"
 
 #include "scree/contact/hertz_mindlin.hpp"
@@ -18,14 +16,13 @@ namespace validation {
 
 /// Test 5: a steel sphere of 10 um on a rigid plane, 5 m/s along the normal and up to twenty times mu times
 /// that across it, against the finite elements of the paper.
-inline Outcome constant_normal_speed(const Inputs& inputs) {
+Outcome constant_normal_speed(const Inputs& inputs) {
   constexpr double radius = 1e-5, normal = 5.0, mu = 0.3;
   const char* name = "Chung & Ooi 5, steel";
   const scree::Material steel{
       .density = 7850, .youngs_modulus = 2.08e11, .poisson_ratio = 0.3, .friction = mu, .restitution = 1.0};
   const scree::Material plane = rigid(steel);
-  const HertzImpact theory{detail::effective_modulus(steel, plane), radius,
-                           detail::ball_mass({steel, radius}), normal};
+  const HertzImpact theory{effective_modulus(steel, plane), radius, mass_of({steel, radius}), normal};
   Outcome out;
   Series recoil{"scree", Origin::code, {}, {}}, spin = recoil;
   for (int k = 1; k <= 200; ++k) {
@@ -41,13 +38,13 @@ inline Outcome constant_normal_speed(const Inputs& inputs) {
     spin.y.push_back(-radius * after.angular_velocity.y() / (mu * normal)); // the sign of the figure
   }
   const Source sliding{Origin::theory, "rigid sphere that slides throughout"};
-  const Tolerance small = detail::sliding_tolerance(0.5 * theory.greatest_overlap / radius);
+  const Tolerance small = sliding_tolerance(0.5 * theory.greatest_overlap / radius);
   const Tolerance of_spin{5.0 * small.size, false, "that of r w, in its unit"};
   for (const double x : {10.0, 15.0, 20.0}) {
-    out.findings.push_back({name, fmt::format("r w / (mu v_n) at v_t = {:.0f} mu v_n", x), "1", -5.0, sliding,
-                            value_at(spin, x), small});
-    out.findings.push_back({name, fmt::format("slip / (mu v_n) after v_t = {:.0f} mu v_n", x), "1", x - 7.0,
-                            sliding, value_at(recoil, x), of_spin});
+    out.add(name, fmt::format("r w / (mu v_n) at v_t = {:.0f} mu v_n", x), "1", -5.0, sliding,
+            value_at(spin, x), small);
+    out.add(name, fmt::format("slip / (mu v_n) after v_t = {:.0f} mu v_n", x), "1", x - 7.0, sliding,
+            value_at(recoil, x), of_spin);
   }
   if (inputs.reference.empty()) {
     out.notes.push_back(std::string{name} + ": finite elements and other codes need the reference data");
@@ -62,15 +59,11 @@ inline Outcome constant_normal_speed(const Inputs& inputs) {
     for (const double y : elements.y) {
       height = std::max(height, std::abs(y));
     }
-    out.findings.push_back(
-        {name,
-         y_label + ": rms distance over the greatest",
-         "1",
-         0.0,
-         {Origin::code, "Chung & Ooi (2011), finite elements"},
-         rms_distance(elements, simulated) / height,
-         {1.5 * rms_distance(elements, code) / height, false, "1.5 x that of Chung & Ooi's own simulation"}});
-    out.charts.push_back({"test5_" + label, name, "v_t / (mu v_n)", y_label, {elements, code}, {simulated}});
+    out.add(
+        name, y_label + ": rms distance over the greatest", "1", 0.0,
+        {Origin::code, "Chung & Ooi (2011), finite elements"}, rms_distance(elements, simulated) / height,
+        {1.5 * rms_distance(elements, code) / height, false, "1.5 x that of Chung & Ooi's own simulation"});
+    out.draw({"test5_" + label, name, "v_t / (mu v_n)", y_label, {elements, code}, {simulated}});
   };
   compare("recoil_angle_of_contact_patch(graph1)", "recoil", "slip after / (mu v_n)", recoil);
   compare("r_omega_over_mu_Vn(graph2)", "spin", "r w / (mu v_n)", spin);
@@ -79,7 +72,7 @@ inline Outcome constant_normal_speed(const Inputs& inputs) {
 
 /// Tests 6 to 8: spheres of 0.1 m that meet a rigid plane, their like or a sphere five times as large and a
 /// thousand times as dense at 0.2 m/s, spinning about an axis across the normal.
-inline Outcome spinning_impact(const Inputs&) {
+Outcome spinning_impact(const Inputs& /*inputs*/) {
   struct Given {
     const char* name;
     scree::Material material;
@@ -105,8 +98,8 @@ inline Outcome spinning_impact(const Inputs&) {
   Outcome out;
   for (const Given& g : all) {
     const scree::Material plane = rigid(g.material);
-    const double mass = detail::ball_mass({g.material, radius});
-    const HertzImpact theory{detail::effective_modulus(g.material, g.partner == 0 ? plane : g.material),
+    const double mass = mass_of({g.material, radius});
+    const HertzImpact theory{effective_modulus(g.material, g.partner == 0 ? plane : g.material),
                              g.partner == 0   ? radius
                              : g.partner == 1 ? 0.5 * radius
                                               : radius * 5.0 / 6.0,
@@ -130,11 +123,10 @@ inline Outcome spinning_impact(const Inputs&) {
         const double heavy = g.partner == 2 ? 1.0 / (1.0 + 1.0 / (125.0 * 1000.0)) : 1.0; // m* over m
         const double gained = mu * (1.0 + e) * normal * heavy;
         const Source sliding{Origin::theory, "rigid sphere that slides throughout"};
-        out.findings.push_back({g.name, fmt::format("tangential velocity after {} rad/s", w), "m/s", gained,
-                                sliding, std::abs(after.velocity.x()), detail::sliding_tolerance()});
-        out.findings.push_back({g.name, fmt::format("spin after {} rad/s", w), "rad/s",
-                                w - 2.5 * gained / radius, sliding, after.angular_velocity.y(),
-                                detail::sliding_tolerance(0.5 * theory.greatest_overlap / radius)});
+        out.add(g.name, fmt::format("tangential velocity after {} rad/s", w), "m/s", gained, sliding,
+                std::abs(after.velocity.x()), sliding_tolerance());
+        out.add(g.name, fmt::format("spin after {} rad/s", w), "rad/s", w - 2.5 * gained / radius, sliding,
+                after.angular_velocity.y(), sliding_tolerance(0.5 * theory.greatest_overlap / radius));
         slid.x.push_back(w);
         slid.y.push_back(after.velocity.x() < 0.0 ? -gained : gained);
         slid_spin.x.push_back(w);
@@ -144,14 +136,13 @@ inline Outcome spinning_impact(const Inputs&) {
     std::string file = g.name;
     std::replace_if(
         file.begin(), file.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
-    out.charts.push_back({file + "_velocity",
-                          g.name,
-                          "spin before, rad/s",
-                          "tangential velocity after, m/s",
-                          {slid},
-                          {velocity}});
-    out.charts.push_back(
-        {file + "_spin", g.name, "spin before, rad/s", "spin after, rad/s", {slid_spin}, {spin}});
+    out.draw({file + "_velocity",
+              g.name,
+              "spin before, rad/s",
+              "tangential velocity after, m/s",
+              {slid},
+              {velocity}});
+    out.draw({file + "_spin", g.name, "spin before, rad/s", "spin after, rad/s", {slid_spin}, {spin}});
   }
   out.notes.push_back(
       "Chung & Ooi 6 to 8: the curves of the figures are not in the reference data; compared where "

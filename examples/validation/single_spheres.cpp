@@ -1,9 +1,8 @@
-#pragma once
 /// \file
 /// MFiX's verification cases DEM01 to DEM04: a sphere that falls and bounces, two that are held between
 /// plates, one that slides until it rolls. All by the linear law, against closed forms.
 
-#include "finding.hpp"
+#include "cases.hpp"
 #include "impact.hpp"
 
 #include "scree/contact/linear_spring.hpp"
@@ -20,7 +19,7 @@
 
 namespace validation {
 
-namespace detail {
+namespace {
 
 /// A sphere on a plane that holds it by a spring and a dashpot under gravity, from where it touches.
 struct BounceInTheory {
@@ -59,11 +58,11 @@ private:
   }
 };
 
-} // namespace detail
+} // namespace
 
 /// DEM01 and DEM02: a sphere of 0.2 m falls from 0.5 m, is held by the plane's spring and dashpot and
 /// bounces.
-inline Outcome falling_sphere(const Inputs&) {
+Outcome falling_sphere(const Inputs& /*inputs*/) {
   constexpr double radius = 0.1, start = 0.5, density = 2600.0, g = 9.81;
   constexpr int bounces = 3, steps = 4000; // of a contact
   const double mass = 4.0 / 3.0 * std::numbers::pi * std::pow(radius, 3) * density;
@@ -93,7 +92,7 @@ inline Outcome falling_sphere(const Inputs&) {
       Series heights{"scree", Origin::code, {}, {}}, expected{"closed form", Origin::theory, {}, {}};
       double speed = std::sqrt(2.0 * g * (start - radius)), lowest = 0.0, highest = 0.0;
       for (int bounce = 1; bounce <= bounces; ++bounce) {
-        const detail::BounceInTheory theory{g, frequency, share * frequency, speed};
+        const BounceInTheory theory{g, frequency, share * frequency, speed};
         const auto height = [&] { return sim.bodies().position(0).z() - radius; };
         while (height() >= 0.0) {
           sim.step();
@@ -109,8 +108,7 @@ inline Outcome falling_sphere(const Inputs&) {
           highest = std::max(highest, height());
         }
         if (bounce == 1) {
-          out.findings.push_back(
-              {name, "deepest", "m", -theory.height(theory.lowest()), closed, -lowest, first_order});
+          out.add(name, "deepest", "m", -theory.height(theory.lowest()), closed, -lowest, first_order);
         }
         speed = theory.velocity(theory.duration());
         heights.x.push_back(bounce);
@@ -118,18 +116,17 @@ inline Outcome falling_sphere(const Inputs&) {
         expected.x.push_back(bounce);
         expected.y.push_back(speed * speed / (2.0 * g));
       }
-      out.findings.push_back(
-          {name, "height of bounce 1", "m", expected.y.front(), closed, heights.y.front(), first_order});
+      out.add(name, "height of bounce 1", "m", expected.y.front(), closed, heights.y.front(), first_order);
       Tolerance of_all = first_order;
       of_all.size *= bounces;
-      out.findings.push_back({name, fmt::format("height of bounce {}", bounces), "m", expected.y.back(),
-                              closed, heights.y.back(), of_all});
-      out.charts.push_back({fmt::format("dem02_{:g}_{:g}", stiffness, e),
-                            name,
-                            "bounce",
-                            "height of the foot, m",
-                            {expected},
-                            {heights}});
+      out.add(name, fmt::format("height of bounce {}", bounces), "m", expected.y.back(), closed,
+              heights.y.back(), of_all);
+      out.draw({fmt::format("dem02_{:g}_{:g}", stiffness, e),
+                name,
+                "bounce",
+                "height of the foot, m",
+                {expected},
+                {heights}});
     }
   }
   out.notes.push_back(
@@ -139,7 +136,7 @@ inline Outcome falling_sphere(const Inputs&) {
 }
 
 /// DEM03: two spheres, the upper half as heavy, pressed between two plates and let go.
-inline Outcome stacked_spheres(const Inputs&) {
+Outcome stacked_spheres(const Inputs& /*inputs*/) {
   constexpr double radius = 5e-4, stiffness = 1e3, g = 9.81, top = 3.6 * radius;
   const char* name = "MFiX DEM03, two stacked spheres";
   scree::Simulation<With<scree::LinearSpring<>>> sim{
@@ -201,20 +198,16 @@ inline Outcome stacked_spheres(const Inputs&) {
     }
   }
   const double phase = std::sqrt(modes.eigenvalues()[1]) * 1e-8;
-  out.findings.push_back({name,
-                          fmt::format("largest distance from the closed form in {:.0f} us", lower.x.back()),
-                          "m",
-                          0.0,
-                          {Origin::theory, "two masses and three springs, MFiX DEM03"},
-                          worst,
-                          {phase * phase * 0.1 * radius * lower.x.back() / 10.0, false,
-                           "second order of the time step: (w dt)^2 of the amplitude, growing with time"}});
-  out.charts.push_back({"dem03", name, "time, us", "place, mm", {lower_theory}, {lower, upper}});
+  out.add(name, fmt::format("largest distance from the closed form in {:.0f} us", lower.x.back()), "m", 0.0,
+          {Origin::theory, "two masses and three springs, MFiX DEM03"}, worst,
+          {phase * phase * 0.1 * radius * lower.x.back() / 10.0, false,
+           "second order of the time step: (w dt)^2 of the amplitude, growing with time"});
+  out.draw({"dem03", name, "time, us", "place, mm", {lower_theory}, {lower, upper}});
   return out;
 }
 
 /// DEM04: a sphere set down sliding rolls after 2 v / (7 mu g) with 5/7 of its speed.
-inline Outcome sliding_sphere(const Inputs&) {
+Outcome sliding_sphere(const Inputs& /*inputs*/) {
   constexpr double radius = 0.005, speed = 0.5, g = 9.81;
   Outcome out;
   Series found{"scree", Origin::code, {}, {}}, expected{"2/7", Origin::theory, {}, {}};
@@ -246,27 +239,16 @@ inline Outcome sliding_sphere(const Inputs&) {
                             "stretch of the tangential spring: its period over the time, 1/200 (ours)"};
     const Tolerance of_speed{1e-3, true,
                              "half the overlap off friction's arm and the spring's stretch (ours)"};
-    out.findings.push_back({name,
-                            "time to roll over v / (mu g)",
-                            "1",
-                            2.0 / 7.0,
-                            {Origin::theory, "sliding sphere, MFiX DEM04"},
-                            rolls * mu * g / speed,
-                            of_time});
-    out.findings.push_back({name,
-                            "speed over that at the start",
-                            "1",
-                            5.0 / 7.0,
-                            {Origin::theory, "sliding sphere, MFiX DEM04"},
-                            sim.bodies().velocity(0).x() / speed,
-                            of_speed});
+    out.add(name, "time to roll over v / (mu g)", "1", 2.0 / 7.0,
+            {Origin::theory, "sliding sphere, MFiX DEM04"}, rolls * mu * g / speed, of_time);
+    out.add(name, "speed over that at the start", "1", 5.0 / 7.0,
+            {Origin::theory, "sliding sphere, MFiX DEM04"}, sim.bodies().velocity(0).x() / speed, of_speed);
     found.x.push_back(mu);
     found.y.push_back(rolls * mu * g / speed);
     expected.x.push_back(mu);
     expected.y.push_back(2.0 / 7.0);
   }
-  out.charts.push_back(
-      {"dem04", "MFiX DEM04", "friction", "time to roll over v / (mu g)", {expected}, {found}});
+  out.draw({"dem04", "MFiX DEM04", "friction", "time to roll over v / (mu g)", {expected}, {found}});
   return out;
 }
 

@@ -1,11 +1,9 @@
-#pragma once
 /// \file
 /// Oblique impact of a sphere on a plane: Chung & Ooi (2011), tests 4 and 5, with the measurements of Kharaz,
 /// Gorham & Salman (2001), by Hertz-Mindlin and by the linear law.
 
-#include "finding.hpp"
+#include "cases.hpp"
 #include "impact.hpp"
-#include "normal_impact.hpp"
 #include "reference_curve.hpp"
 
 #include "scree/contact/hertz_mindlin.hpp"
@@ -19,19 +17,9 @@
 
 namespace validation {
 
-namespace detail {
+namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
-
-/// Of what rigid bodies say of an impact that slides throughout.
-/// \param arm share by which friction's arm is shorter at the deepest: half the overlap over the radius
-inline Tolerance sliding_tolerance(double arm = 0.0) {
-  return {1e-3 + arm, true,
-          arm > 0.0
-              ? "stretch of the tangential spring before it slides, 1/1000 (ours), and half the overlap "
-                "off friction's arm"
-              : "stretch of the tangential spring before it slides, 1/1000 (ours)"};
-}
 
 /// What an oblique impact comes to, in the terms of the papers.
 struct Oblique {
@@ -49,8 +37,6 @@ Oblique oblique_impact(const scree::Material& material, const scree::Material& p
   return {vt / tangential, w, std::atan2(vt - radius * w, after.velocity.z()) / degree};
 }
 
-} // namespace detail
-
 /// Test 4: 5 mm spheres of aluminium oxide at 3.9 m/s from 1 to 86 degrees to the normal, on soda-lime glass
 /// in the experiment and on a rigid plane in the test.
 template <class Law>
@@ -67,21 +53,20 @@ Outcome kharaz(const Inputs& inputs, const std::string& law) {
   scree::Material plane = oxide;
   plane.youngs_modulus *= 1e3;
   const double mass = 4.0 / 3.0 * std::numbers::pi * std::pow(radius, 3) * oxide.density;
-  const HertzImpact hertz_time{detail::effective_modulus(oxide, plane), radius, mass, speed};
+  const HertzImpact hertz_time{effective_modulus(oxide, plane), radius, mass, speed};
   const double linear_time = std::numbers::pi * std::sqrt(mass / oxide.normal_stiffness);
   const double duration = std::is_same_v<Law, scree::LinearSpring<>> ? linear_time : hertz_time.duration;
   const std::string name = "Chung & Ooi 4 (Kharaz), " + law;
   const auto at = [&](double angle) {
-    return detail::oblique_impact<Law>(oxide, plane, radius, speed * std::cos(angle * detail::degree),
-                                       speed * std::sin(angle * detail::degree),
-                                       duration * std::pow(std::cos(angle * detail::degree), -0.2),
-                                       scree::Stiffness::of_contact);
+    return oblique_impact<Law>(
+        oxide, plane, radius, speed * std::cos(angle * degree), speed * std::sin(angle * degree),
+        duration * std::pow(std::cos(angle * degree), -0.2), scree::Stiffness::of_contact);
   };
 
   Outcome out;
   Series restitution{"scree, " + law, Origin::code, {}, {}}, spin = restitution, patch = restitution;
   for (double angle = 1.0; angle < 87.0; angle += 1.0) {
-    const detail::Oblique found = at(angle);
+    const Oblique found = at(angle);
     for (Series* series : {&restitution, &spin, &patch}) {
       series->x.push_back(angle);
     }
@@ -92,21 +77,17 @@ Outcome kharaz(const Inputs& inputs, const std::string& law) {
 
   // Sliding from beginning to end, whatever the law: friction is mu times the normal impulse.
   const Source sliding{Origin::theory, "rigid sphere that slides throughout: 1 - mu (1 + e) / tan(angle)"};
-  const auto slid = [](double angle) { return 1.0 - mu * (1.0 + e) / std::tan(angle * detail::degree); };
+  const auto slid = [](double angle) { return 1.0 - mu * (1.0 + e) / std::tan(angle * degree); };
   const double overlap = std::is_same_v<Law, scree::LinearSpring<>>
                              ? speed * std::sqrt(mass / oxide.normal_stiffness)
                              : hertz_time.greatest_overlap;
   for (const double angle : {40.0, 50.0, 60.0, 70.0}) {
-    out.findings.push_back({name, fmt::format("tangential restitution at {:.0f} degrees", angle), "1",
-                            slid(angle), sliding, value_at(restitution, angle), detail::sliding_tolerance()});
-    const double w = 2.5 * mu * (1.0 + e) * speed * std::cos(angle * detail::degree) / radius;
-    out.findings.push_back({name,
-                            fmt::format("spin at {:.0f} degrees", angle),
-                            "rad/s",
-                            w,
-                            {Origin::theory, "rigid sphere that slides throughout: 5/2 mu (1 + e) v_n / r"},
-                            value_at(spin, angle),
-                            detail::sliding_tolerance(0.5 * overlap / radius)});
+    out.add(name, fmt::format("tangential restitution at {:.0f} degrees", angle), "1", slid(angle), sliding,
+            value_at(restitution, angle), sliding_tolerance());
+    const double w = 2.5 * mu * (1.0 + e) * speed * std::cos(angle * degree) / radius;
+    out.add(name, fmt::format("spin at {:.0f} degrees", angle), "rad/s", w,
+            {Origin::theory, "rigid sphere that slides throughout: 5/2 mu (1 + e) v_n / r"},
+            value_at(spin, angle), sliding_tolerance(0.5 * overlap / radius));
   }
   if (inputs.reference.empty()) {
     out.notes.push_back(name + ": measurements and other codes need the reference data");
@@ -128,17 +109,14 @@ Outcome kharaz(const Inputs& inputs, const std::string& law) {
       }
       // How far the other code is from the measurements is what a model of this kind can be asked for.
       const double spread = rms_distance(measured, code) / height;
-      out.findings.push_back({name,
-                              y_label + ": rms distance over the greatest",
-                              "1",
-                              0.0,
-                              {Origin::experiment, "Kharaz, Gorham & Salman (2001)"},
-                              rms_distance(measured, simulated) / height,
-                              {1.5 * spread, false, "1.5 x that of Chung & Ooi's own simulation"}});
+      out.add(name, y_label + ": rms distance over the greatest", "1", 0.0,
+              {Origin::experiment, "Kharaz, Gorham & Salman (2001)"},
+              rms_distance(measured, simulated) / height,
+              {1.5 * spread, false, "1.5 x that of Chung & Ooi's own simulation"});
       chart.references.push_back(measured);
     }
     chart.simulated.push_back(std::move(simulated));
-    out.charts.push_back(std::move(chart));
+    out.draw(std::move(chart));
   };
   for (double& w : spin.y) {
     w = -w; // the sign of the figure
@@ -149,6 +127,16 @@ Outcome kharaz(const Inputs& inputs, const std::string& law) {
   compare("rebound_angle_contact_patch_deg", "patch", "rebound angle of the contact patch, degrees", patch,
           true);
   return out;
+}
+
+} // namespace
+
+Outcome oblique_impact_hertz_mindlin(const Inputs& inputs) {
+  return kharaz<scree::HertzMindlin<>>(inputs, "Hertz-Mindlin");
+}
+
+Outcome oblique_impact_linear(const Inputs& inputs) {
+  return kharaz<scree::LinearSpring<>>(inputs, "linear");
 }
 
 } // namespace validation
