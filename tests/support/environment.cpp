@@ -14,8 +14,12 @@ std::filesystem::path source_directory() {
   return SCREE_SOURCE_DIR;
 }
 
+std::filesystem::path reference_directory() {
+  return SCREE_REFERENCE_DIR;
+}
+
 std::optional<std::filesystem::path> reference_file(const std::filesystem::path& name) {
-  const std::filesystem::path folder = SCREE_REFERENCE_DIR;
+  const std::filesystem::path folder = reference_directory();
   if (folder.empty()) {
     skip(message("no reference data: configure with -DSCREE_REFERENCE_DIR=... for ", name.string()));
     return std::nullopt;

@@ -11,6 +11,9 @@ namespace scree::test {
 /// The top folder of scree's sources.
 std::filesystem::path source_directory();
 
+/// The folder of the reference data (measured or published); empty where SCREE_REFERENCE_DIR is not given.
+std::filesystem::path reference_directory();
+
 /// A file of the reference data (measured or published), or nothing where SCREE_REFERENCE_DIR is not given;
 /// the test case is then counted as skipped and should return.
 ///
