@@ -93,6 +93,8 @@ template <class T>
 
 /// A contact law made of a normal model and any number of extensions.
 ///
+/// Normal force: spring and dashpot, never below 0 but by an extension.
+///
 /// Tangential force: F_s = s' - c_s v_t with the spring force s turned with the contact and
 /// s' = s - k_s v_t dt, neither of them beyond mu F_n (Coetzee et al. 2010 Eq. (2), in three dimensions).
 ///
@@ -163,7 +165,9 @@ public:
     const T normal_speed = dot(k.velocity, k.normal);
     const Vec3<T> slip_velocity = k.velocity - k.normal * normal_speed;
     ContactForce<T> out;
-    out.normal = at.normal_force - at.normal_damping * normal_speed;
+    // Rock does not pull: where the dashpot would outweigh the spring, the contact is over.
+    const T pushing = larger(at.normal_force - at.normal_damping * normal_speed, T(0));
+    out.normal = pushing;
     for_each_extension(history, [&](const auto& extension, auto own_history) {
       if constexpr (ChangesNormalForce<std::decay_t<decltype(extension)>, T>) {
         out.normal = extension.normal(pair, k, out.normal, own_history);
@@ -191,7 +195,7 @@ public:
     history[2] = kept.z;
     // Of the tangential displacement, -(kept - spring)/k_s loads the spring and the rest slides.
     out.frictional_work = dot(tangential, trial - kept) * at.inverse_shear_stiffness + at.spring_loss;
-    out.viscous_work = at.normal_damping * normal_speed * normal_speed * k.dt +
+    out.viscous_work = (at.normal_force - pushing) * normal_speed * k.dt +
                        dot(tangential - kept, kept - spring) * at.inverse_shear_stiffness;
     for_each_extension(history, [&](const auto& extension, auto own_history) {
       if constexpr (AddsCouple<std::decay_t<decltype(extension)>, T>) {

@@ -11,8 +11,9 @@ namespace scree {
 /// Hertz's normal force F_n = 4/3 E* sqrt(R*) U_n^(3/2) and Mindlin's tangential stiffness k_s = 8 G* sqrt(R*
 /// U_n) without partial slip, loaded in increments; when the overlap falls, the spring is reduced with its
 /// stiffness so that unloading makes no energy (Thornton, Cummins & Cleary, Powder Technol. 233:30, 2013).
-/// Dashpots 2 sqrt(5/6) beta sqrt(S m*) with S the tangent stiffness and beta the damping ratio of the
-/// restitution (Tsuji, Tanaka & Ishida, Powder Technol. 71:239, 1992).
+/// Dashpots 2 sqrt(5/6) beta sqrt(S m*) with S the tangent stiffness (Tsuji, Tanaka & Ishida, Powder Technol.
+/// 71:239, 1992) and beta the damping ratio of the restitution, which is the linear law's
+/// (material/restitution.hpp).
 ///
 /// History: sqrt(R* U_n) of the step before [m].
 struct HertzModel {
@@ -54,7 +55,7 @@ struct HertzModel {
     history[0] = a;
     const T normal = T(2) * pair.youngs_modulus * a;
     const T shear = T(8) * pair.shear_modulus * a;
-    const T damping = T(1.8257418583505538) * pair.damping_ratio; // 2 sqrt(5/6)
+    const T critical = T(1.8257418583505538); // 2 sqrt(5/6)
     const auto sheared = shear > T(0);
     const auto known = before > T(0);
     const T energy = select(known, spring2 / select(known, T(16) * pair.shear_modulus * before, T(1)), T(0));
@@ -64,8 +65,10 @@ struct HertzModel {
             normal,
             shear,
             select(sheared, T(1) / select(sheared, shear, T(1)), T(0)),
-            damping * square_root(normal * k.reduced_mass) + pair.normal_damping_rate * k.reduced_mass,
-            damping * square_root(shear * k.reduced_mass) + pair.shear_damping_rate * k.reduced_mass,
+            critical * pair.damping_ratio * square_root(normal * k.reduced_mass) +
+                pair.normal_damping_rate * k.reduced_mass,
+            critical * pair.shear_damping_ratio * square_root(shear * k.reduced_mass) +
+                pair.shear_damping_rate * k.reduced_mass,
             spring_loss};
   }
 };

@@ -7,8 +7,8 @@
 namespace scree {
 
 /// F_n = k_n U_n, F_s from k_s U_s (Coetzee et al. 2010 Eqs. (1)-(2)), dashpots in proportion to critical
-/// damping so that a free normal impact has the requested restitution at any speed; the same ratio in shear.
-/// The normal dashpot may pull at the end of an impact, as the closed form of the restitution has it.
+/// damping so that a free normal impact has the requested restitution at any speed, and half an oscillation
+/// in shear too (material/restitution.hpp).
 struct LinearModel {
   static constexpr int history_size = 0;
   static constexpr std::array<int, 0> history_parity{};

@@ -3,12 +3,12 @@
 /// The constants of a contact between two materials.
 
 #include "scree/material/material.hpp"
+#include "scree/material/restitution.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <map>
-#include <numbers>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -25,9 +25,10 @@ struct PairMaterial {
   T shear_modulus{};           ///< Pa, G* of Mindlin
   T friction{};
   T rolling_friction{};
-  T damping_ratio{};              ///< of critical, from the restitution
+  T damping_ratio{};              ///< of critical, along the normal, from the restitution
+  T shear_damping_ratio{};        ///< of critical, in shear, from the restitution
   T normal_damping_coefficient{}; ///< sqrt(kg/m) s^-1: 2 ratio sqrt(k_n), times sqrt(m*) gives N s/m
-  T shear_damping_coefficient{};  ///< the same with k_s
+  T shear_damping_coefficient{};  ///< the same in shear
   T normal_damping_rate{};        ///< 1/s, times m* gives N s/m
   T shear_damping_rate{};         ///< 1/s
 
@@ -42,6 +43,7 @@ struct PairMaterial {
             c(friction),
             c(rolling_friction),
             c(damping_ratio),
+            c(shear_damping_ratio),
             c(normal_damping_coefficient),
             c(shear_damping_coefficient),
             c(normal_damping_rate),
@@ -55,13 +57,6 @@ struct PairOverride {
   std::optional<double> restitution{};
   std::optional<double> rolling_friction{};
 };
-
-/// Damping ratio of a linear spring and dashpot that gives the restitution e in a free normal impact,
-/// -ln e / sqrt(pi^2 + ln^2 e); the contact ends where the overlap does (Cundall & Strack 1979 dashpot).
-inline double damping_ratio(double restitution) {
-  const double l = std::log(restitution);
-  return -l / std::sqrt(std::numbers::pi * std::numbers::pi + l * l);
-}
 
 /// Mixes two materials: stiffness as `convention` says; E* and G* of Hertz and Mindlin; the smaller friction,
 /// rolling friction and restitution; the mean damping rates.
@@ -88,9 +83,11 @@ inline PairMaterial<double> mix(const Material& a, const Material& b, Stiffness 
   p.shear_modulus = series(shear(a), shear(b));
   p.friction = given.friction.value_or(std::min(a.friction, b.friction));
   p.rolling_friction = given.rolling_friction.value_or(std::min(a.rolling_friction, b.rolling_friction));
-  p.damping_ratio = damping_ratio(given.restitution.value_or(std::min(a.restitution, b.restitution)));
+  const double e = given.restitution.value_or(std::min(a.restitution, b.restitution));
+  p.damping_ratio = damping_ratio(e);
+  p.shear_damping_ratio = half_oscillation_ratio(e);
   p.normal_damping_coefficient = 2.0 * p.damping_ratio * std::sqrt(p.normal_stiffness);
-  p.shear_damping_coefficient = 2.0 * p.damping_ratio * std::sqrt(p.shear_stiffness);
+  p.shear_damping_coefficient = 2.0 * p.shear_damping_ratio * std::sqrt(p.shear_stiffness);
   p.normal_damping_rate = 0.5 * (a.normal_damping_rate + b.normal_damping_rate);
   p.shear_damping_rate = 0.5 * (a.shear_damping_rate + b.shear_damping_rate);
   return p;
