@@ -165,7 +165,7 @@ TEST_CASE("a ball that rolls through a slightly concave seam is carried without 
     // In one step the spring's end moves by at most v dt sin(angle); the dashpot feels the new normal at
     // once.
     const double contact = 1e4, m = weight / 9.81;
-    const double dashpot = 2.0 * 0.2155 * std::sqrt(contact * m);
+    const double dashpot = 2.0 * damping_ratio(0.5) * std::sqrt(contact * m);
     CHECK(largest < 1.1 * (contact * track.time_step() + dashpot) * speed * std::sin(a));
     CHECK(track.bodies().position(0).x() > 0.005); // and is on its way up the other side
     // With all of its energy but the little that the kink takes.
