@@ -82,7 +82,7 @@ template <class Search>
 Outcome run(const Scene& scene) {
   constexpr double width = 0.16;
   Simulation<SearchedBy<Search>> sim{{.period = scene.period,
-                                      .time_step = 1.5e-5,
+                                      .time_step = 2e-5,
                                       .step_safety = 1.0,
                                       .threads = scene.threads,
                                       .sort_interval = scene.sort_interval}};

@@ -34,15 +34,20 @@ inline double critical_step(double squared_frequency, double damping_ratio) {
 
 /// By how much a dense bed is stiffer than one contact. In the fastest motion of a dense packing (fcc, hcp)
 /// of equal spheres with k_s = k_n all of them spin alike: squared frequency 40 k/m, where one pair has 7
-/// k/m, so 40/7; rounded up to 6. The damping ratio of a contact acts in that motion as the ratio times
-/// sqrt(6 mobility m*).
+/// k/m, so 40/7; rounded up to 6. The damping ratio of a contact in shear acts in that motion as the ratio
+/// times sqrt(6 mobility m*).
 inline constexpr double crowding = 6.0;
+
+/// The same of a motion along the normals: 8 k/m in the fastest of fcc, where the layers of spheres swing
+/// against each other, and one pair has 2 k/m.
+inline constexpr double crowding_along_normals = 4.0;
 
 /// What the softest body of one material looks like to a contact.
 struct Softest {
-  double mobility = 0.0; ///< 1/kg, see Bodies::mobility
-  double mass = 0.0;     ///< kg
-  double radius = 0.0;   ///< m, of its smallest sphere
+  double mobility = 0.0;        ///< 1/kg, see Bodies::mobility
+  double normal_mobility = 0.0; ///< 1/kg, under a force along a normal, which does not turn a lone sphere
+  double mass = 0.0;            ///< kg
+  double radius = 0.0;          ///< m, of its smallest sphere
   std::uint64_t body = 0;
 };
 
@@ -59,7 +64,8 @@ Softest softest(const Bodies<Real>& bodies, std::uint16_t material) {
       for (std::size_t s = bodies.first_sphere(b); s < bodies.first_sphere(b + 1); ++s) {
         radius = std::min(radius, bodies.spheres()[s].radius);
       }
-      found = {mobility, bodies.mass(b), radius, bodies.id(b)};
+      found = {mobility, bodies.kind(b) == BodyKind::lone ? 1.0 / bodies.mass(b) : mobility, bodies.mass(b),
+               radius, bodies.id(b)};
     }
   }
   return found;

@@ -64,7 +64,7 @@ private:
     const Softest &p = softest_[a], &q = softest_[b];
     if (p.mobility > 0.0 && q.mobility > 0.0) {
       by_contact(a, b, p.radius * q.radius / (p.radius + q.radius), p.mass * q.mass / (p.mass + q.mass),
-                 p.mobility + q.mobility, [&] {
+                 p.mobility + q.mobility, p.normal_mobility + q.normal_mobility, [&] {
                    return message("a contact of body ", p.body, " ('", name(a), "', ", p.mass,
                                   " kg) with body ", q.body, " ('", name(b), "', ", q.mass, " kg)");
                  });
@@ -74,7 +74,7 @@ private:
   void by_grain_on(MaterialId wall, std::size_t a) {
     const Softest& p = softest_[a];
     if (p.mobility > 0.0) {
-      by_contact(a, wall, p.radius, p.mass, p.mobility, [&] {
+      by_contact(a, wall, p.radius, p.mass, p.mobility, p.normal_mobility, [&] {
         return message("a contact of body ", p.body, " ('", name(a), "', ", p.mass, " kg) with a wall of '",
                        name(wall), "'");
       });
@@ -82,16 +82,19 @@ private:
   }
 
   void by_contact(std::size_t a, std::size_t b, double radius, double mass, double mobility,
-                  const auto& who) {
+                  double normal_mobility, const auto& who) {
     const auto pair = materials_.pair(id(a), id(b));
     law_.check(pair, message("'", name(a), "' and '", name(b), "'"));
     const ContactStiffness k = law_.stiffness(pair, radius, mass, top_speed_);
-    const double stiffest = std::max(k.normal, k.shear);
-    const double rate = std::max(pair.normal_damping_rate, pair.shear_damping_rate);
-    const double rate_ratio = stiffest > 0.0 ? 0.5 * rate * std::sqrt(mass / stiffest) : 0.0;
-    const double damping = (pair.damping_ratio + rate_ratio) * std::sqrt(crowding * mobility * mass);
-    limit_.lower_to(critical_step(crowding * stiffest * mobility, damping),
-                    [&] { return message(who(), " of ", stiffest, " N/m"); });
+    const auto lower_by = [&](double stiffness, double own_ratio, double rate, double softness) {
+      const double ratio = own_ratio + (stiffness > 0.0 ? 0.5 * rate * std::sqrt(mass / stiffness) : 0.0);
+      limit_.lower_to(critical_step(softness * stiffness, ratio * std::sqrt(softness * mass)),
+                      [&] { return message(who(), " of ", stiffness, " N/m"); });
+    };
+    lower_by(std::max(k.normal, k.shear), pair.shear_damping_ratio,
+             std::max(pair.normal_damping_rate, pair.shear_damping_rate), crowding * mobility);
+    lower_by(k.normal, pair.damping_ratio, pair.normal_damping_rate,
+             crowding_along_normals * normal_mobility);
   }
 
   /// A wall that gives way is held by its ropes and by the `near` spheres that touch it or may soon.
@@ -135,11 +138,13 @@ private:
         if (body.mobility > 0.0) {
           const auto pair = materials_.pair(id(m), surface.material());
           const ContactStiffness k = law_.stiffness(pair, body.radius, body.mass, top_speed_);
-          const double stiffness = std::max(k.normal, k.shear);
-          const double rate = std::max(pair.normal_damping_rate, pair.shear_damping_rate);
-          most.stiffness = std::max(most.stiffness, stiffness);
-          most.damping = std::max(most.damping, 2.0 * pair.damping_ratio * std::sqrt(stiffness * body.mass) +
-                                                    rate * body.mass);
+          const auto dashpot = [&](double stiffness, double ratio, double rate) {
+            return 2.0 * ratio * std::sqrt(stiffness * body.mass) + rate * body.mass;
+          };
+          most.stiffness = std::max({most.stiffness, k.normal, k.shear});
+          most.damping =
+              std::max({most.damping, dashpot(k.normal, pair.damping_ratio, pair.normal_damping_rate),
+                        dashpot(k.shear, pair.shear_damping_ratio, pair.shear_damping_rate)});
         }
       }
     }
