@@ -18,6 +18,7 @@ const std::vector<Case>& all_cases() {
       {"falling_sphere", "MFiX DEM01 and DEM02", falling_sphere},
       {"stacked_spheres", "MFiX DEM03", stacked_spheres},
       {"sliding_sphere", "MFiX DEM04", sliding_sphere},
+      {"mfix_stored", "MFiX DEM02 to DEM04, its own results", mfix_stored},
       {"sphere_on_incline", "a sphere that rolls or slides down an incline", sphere_on_incline},
       {"block_on_incline", "a block that sticks or slides on an incline", block_on_incline},
       {"resisted_rolling", "an incline with rolling resistance", resisted_rolling},

@@ -24,6 +24,8 @@ Outcome spinning_impact(const Inputs& inputs);
 Outcome falling_sphere(const Inputs& inputs);
 Outcome stacked_spheres(const Inputs& inputs);
 Outcome sliding_sphere(const Inputs& inputs);
+// mfix_stored.cpp
+Outcome mfix_stored(const Inputs& inputs);
 // incline.cpp
 Outcome sphere_on_incline(const Inputs& inputs);
 Outcome block_on_incline(const Inputs& inputs);

@@ -97,7 +97,9 @@ void turn_by(Outcome& out, const std::string& integrator) {
   const FreeMotion coarse = turn_freely<Integrator>(4000), fine = turn_freely<Integrator>(8000);
   const Source jacobi{Origin::theory, "Jacobi's elliptic functions, Landau & Lifshitz, section 37"};
   const Source kept{Origin::theory, "no moment acts"};
-  const Tolerance of_order{0.02, false, "the next term of the error, of some steps' turn of 1/200 rad"};
+  const Tolerance of_order{
+      0.02, false,
+      "the next term of the error: a share of the order of a step's turn, 1/200 rad, or smaller"};
   out.add(name, "order of the orientation's error", "1", 2.0, jacobi,
           std::log2(coarse.orientation / fine.orientation), of_order);
   out.add(name, "order of the angular velocity's error", "1", 2.0, jacobi,
@@ -126,6 +128,7 @@ Outcome free_clump(const Inputs& /*inputs*/) {
   Outcome out;
   turn_by<scree::Leapfrog>(out, "Leapfrog");
   turn_by<scree::RotorSplitting>(out, "RotorSplitting");
+  out.notes.push_back("Free clump: its spheres, spin and orientation are ours, as the theory holds for any.");
   return out;
 }
 

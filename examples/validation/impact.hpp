@@ -29,8 +29,8 @@ struct Rebound {
 struct ImpactRecord {
   std::vector<double> time, overlap, force; ///< s, m, N along the normal
   double duration = 0.0, greatest_overlap = 0.0, greatest_force = 0.0;
-  std::vector<Rebound> after;  ///< of each ball
-  scree::Dissipation lost;     ///< J, as the laws account for it
+  std::vector<Rebound> after; ///< of each ball
+  scree::Dissipation lost;    ///< J, as the laws account for it
 };
 
 /// A modulus that is a thousand times the ball's, for a plane that counts as rigid.
