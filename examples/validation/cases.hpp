@@ -29,6 +29,7 @@ Outcome mfix_stored(const Inputs& inputs);
 // incline.cpp
 Outcome sphere_on_incline(const Inputs& inputs);
 Outcome block_on_incline(const Inputs& inputs);
+// resisted_rolling.cpp
 Outcome resisted_rolling(const Inputs& inputs);
 // tangential_loop.cpp
 Outcome tangential_loop(const Inputs& inputs);
