@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -28,7 +29,7 @@ double turn_pair(const scree::Vector& axis, double angle, int steps) {
                                     .gravity = scree::Vector::Zero(),
                                     .time_step = dt,
                                     .sort_interval = 0}};
-  // So heavy that the contact does not move them: they go where they are told to. The rest is ours.
+  // So heavy that the contact does not move it: it goes where gravity takes it. The rest is ours.
   const auto id = sim.add_material({.density = 1e15,
                                     .normal_stiffness = 1e6,
                                     .shear_stiffness = 8e5,
@@ -37,36 +38,33 @@ double turn_pair(const scree::Vector& axis, double angle, int steps) {
                                     .friction = 0.6,
                                     .restitution = 1.0});
   const auto shape = scree::make_clump("ball", std::vector<scree::Sphere>{{scree::Vector::Zero(), 1.0}});
-  // The axis goes through a point beside the pair, so that both spheres move.
-  const scree::Vector centre{0.003, -0.002, 0.006};
-  const scree::Vector loaded_i = scree::Vector{0.0, 0.0, radius_i + radius_j - overlap} - centre, j = -centre;
-  const scree::Vector start_i = loaded_i - slip * scree::Vector::UnitX();
-  sim.add({.clump = &shape, .material = id, .position = start_i, .scale = radius_i});
-  sim.add({.clump = &shape, .material = id, .position = j, .scale = radius_j});
+  const scree::Vector loaded{0.0, 0.0, radius_i + radius_j - overlap};
+  const scree::Vector start = loaded - slip * scree::Vector::UnitX();
+  sim.add({.clump = &shape, .material = id, .position = start, .scale = radius_i});
+  sim.add({.clump = &shape, .material = id, .scale = radius_j, .fixed = true});
   const auto turn_at = [&](int step) {
     return scree::Quaternion{Eigen::AngleAxisd{angle * std::max(0, step - loading) / steps, axis}};
   };
-  const auto place = [&](int step, std::size_t b) -> scree::Vector {
-    if (b == 1) {
-      return turn_at(step) * j;
-    }
-    return step <= loading ? scree::Vector(start_i + (loaded_i - start_i) * step / loading)
-                           : scree::Vector(turn_at(step) * loaded_i);
+  // At rest before and in the first step, whose kick is a half.
+  const auto place = [&](int step) {
+    const double share = std::clamp(static_cast<double>(step - 1) / (loading - 1), 0.0, 1.0);
+    return scree::Vector(turn_at(step) * (start + share * (loaded - start)));
   };
   // Of the step's forces, which are those at its start.
   const auto tangential = [&](int step) {
     const scree::Vector force = scree::to_eigen(sim.bodies().forces()[0].force);
-    const scree::Vector normal = (place(step, 0) - place(step, 1)).normalized();
+    const scree::Vector normal = place(step).normalized();
     return scree::Vector(turn_at(step).conjugate() * (force - normal * normal.dot(force)));
   };
   scree::Vector before = scree::Vector::Zero();
-  for (int step = 0; step < loading + steps + 1; ++step) {
-    const bool turning = step >= loading;
-    for (std::size_t b = 0; b < 2; ++b) {
-      sim.set_motion(b, (place(step + 1, b) - sim.bodies().position(b)) / dt,
-                     turning ? scree::Vector(rate * axis) : scree::Vector(scree::Vector::Zero()));
-    }
-    // A step takes its forces at its start, from the motion that led there; the motion set now leads on.
+  for (int step = 0; step <= loading + steps; ++step) {
+    // As in any motion, the velocity is that which led to the place; gravity bends the path.
+    const scree::Vector here = place(step), came = here - place(step - 1), goes = place(step + 1) - here;
+    const scree::Vector spin =
+        step > loading ? scree::Vector(rate * axis) : scree::Vector(scree::Vector::Zero());
+    sim.set_motion(0, came / dt, spin);
+    sim.set_motion(1, scree::Vector::Zero(), spin);
+    sim.set_gravity((goes - came) / (dt * dt));
     sim.step();
     if (step == loading) {
       before = tangential(step);
@@ -122,7 +120,7 @@ void turn_by(Outcome& out) {
 
 } // namespace
 
-/// Prescribed motion: loaded by a slip of 5 um, then turned by 90 and 360 degrees.
+/// One sphere is led round the other: loaded by a slip of 5 um, then turned by 90 and 360 degrees.
 Outcome turning_pair(const Inputs& /*inputs*/) {
   Outcome out;
   turn_by<scree::LinearSpring<>>(out);
