@@ -10,6 +10,7 @@
 #include "scree/integrators/rotor_splitting.hpp"
 
 #include <boost/math/special_functions/ellint_1.hpp>
+#include <boost/math/special_functions/jacobi_elliptic.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -138,6 +139,16 @@ void swing_by(Outcome& out, const std::string& integrator) {
     out.add(name, fmt::format("spin across the axle from {:g} degrees over that about it", degrees), "1", 0.0,
             {Origin::theory, "both wheels alike"}, s.yaw,
             {1e-9, false, "symmetry: rounding that 2e5 steps add up"});
+    // sin(angle / 2) = k cd(t sqrt(g / length), k), k = sin(amplitude / 2).
+    Series exact{"pendulum", Origin::theory, {}, {}};
+    const double modulus = std::sin(0.5 * amplitude);
+    for (double t = 0.0; t < s.angles.x.back(); t += 0.05) {
+      const double half = std::asin(modulus * boost::math::jacobi_cd(modulus, t * std::sqrt(g / length)));
+      exact.x.push_back(t);
+      exact.y.push_back(2.0 * half * 180.0 / std::numbers::pi);
+    }
+    chart.references.push_back(exact);
+    chart.references.back().label = fmt::format("pendulum from {:g} degrees", degrees);
     chart.simulated.push_back(s.angles);
     chart.simulated.back().label = fmt::format("from {:g} degrees", degrees);
   }
