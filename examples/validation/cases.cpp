@@ -12,11 +12,21 @@ const std::vector<Case>& all_cases() {
       {"restitution", "Chung & Ooi 3", restitution},
       {"oblique_impact", "Chung & Ooi 4, Kharaz et al., Hertz-Mindlin", oblique_impact_hertz_mindlin},
       {"oblique_impact_linear", "the same by the linear law", oblique_impact_linear},
+      {"oblique_impact_mfix", "MFiX DEM05, Kharaz et al.", oblique_impact_mfix},
       {"constant_normal_speed", "Chung & Ooi 5", constant_normal_speed},
       {"spinning_impact", "Chung & Ooi 6 to 8", spinning_impact},
       {"falling_sphere", "MFiX DEM01 and DEM02", falling_sphere},
       {"stacked_spheres", "MFiX DEM03", stacked_spheres},
       {"sliding_sphere", "MFiX DEM04", sliding_sphere},
+      {"mfix_stored", "MFiX DEM02 to DEM04, its own results", mfix_stored},
+      {"sphere_on_incline", "a sphere that rolls or slides down an incline", sphere_on_incline},
+      {"block_on_incline", "a block that sticks or slides on an incline", block_on_incline},
+      {"resisted_rolling", "an incline with rolling resistance", resisted_rolling},
+      {"tangential_loop", "tangential loading, unloading and reloading", tangential_loop},
+      {"turning_pair", "the tangential force of a pair that turns", turning_pair},
+      {"grazing_wall", "walls make no energy", grazing_wall},
+      {"free_clump", "a clump that turns freely", free_clump},
+      {"valley_pendulum", "a clump that swings in a trough", valley_pendulum},
   };
   return cases;
 }

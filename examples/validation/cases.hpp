@@ -15,6 +15,8 @@ Outcome restitution(const Inputs& inputs);
 // oblique_impact.cpp
 Outcome oblique_impact_hertz_mindlin(const Inputs& inputs);
 Outcome oblique_impact_linear(const Inputs& inputs);
+// oblique_mfix.cpp
+Outcome oblique_impact_mfix(const Inputs& inputs);
 // spinning_impact.cpp
 Outcome constant_normal_speed(const Inputs& inputs);
 Outcome spinning_impact(const Inputs& inputs);
@@ -22,6 +24,23 @@ Outcome spinning_impact(const Inputs& inputs);
 Outcome falling_sphere(const Inputs& inputs);
 Outcome stacked_spheres(const Inputs& inputs);
 Outcome sliding_sphere(const Inputs& inputs);
+// mfix_stored.cpp
+Outcome mfix_stored(const Inputs& inputs);
+// incline.cpp
+Outcome sphere_on_incline(const Inputs& inputs);
+Outcome block_on_incline(const Inputs& inputs);
+// resisted_rolling.cpp
+Outcome resisted_rolling(const Inputs& inputs);
+// tangential_loop.cpp
+Outcome tangential_loop(const Inputs& inputs);
+// turning_pair.cpp
+Outcome turning_pair(const Inputs& inputs);
+// grazing_wall.cpp
+Outcome grazing_wall(const Inputs& inputs);
+// free_clump.cpp
+Outcome free_clump(const Inputs& inputs);
+// valley_pendulum.cpp
+Outcome valley_pendulum(const Inputs& inputs);
 
 struct Case {
   std::string name, brief;

@@ -30,6 +30,7 @@ struct ImpactRecord {
   std::vector<double> time, overlap, force; ///< s, m, N along the normal
   double duration = 0.0, greatest_overlap = 0.0, greatest_force = 0.0;
   std::vector<Rebound> after; ///< of each ball
+  scree::Dissipation lost;    ///< J, as the laws account for it
 };
 
 /// A modulus that is a thousand times the ball's, for a plane that counts as rigid.
@@ -99,6 +100,7 @@ ImpactRecord impact(const std::vector<Ball>& balls, const scree::Material* plane
   for (std::size_t b = 0; b < sim.bodies().size(); ++b) {
     record.after.push_back({sim.bodies().velocity(b), sim.bodies().angular_velocity(b)});
   }
+  record.lost = sim.dissipation();
   return record;
 }
 

@@ -3,7 +3,7 @@
 /// Gorham & Salman (2001), by Hertz-Mindlin and by the linear law.
 
 #include "cases.hpp"
-#include "impact.hpp"
+#include "oblique.hpp"
 #include "reference_curve.hpp"
 
 #include "scree/contact/hertz_mindlin.hpp"
@@ -11,31 +11,12 @@
 
 #include <fmt/format.h>
 
-#include <numbers>
 #include <string>
 #include <vector>
 
 namespace validation {
 
 namespace {
-
-constexpr double degree = std::numbers::pi / 180.0;
-
-/// What an oblique impact comes to, in the terms of the papers.
-struct Oblique {
-  double tangential_restitution; ///< of the centre
-  double spin;                   ///< rad/s, above 0 as friction makes it
-  double patch_angle;            ///< degrees, of the contact patch's rebound from the normal
-};
-
-template <class Law>
-Oblique oblique_impact(const scree::Material& material, const scree::Material& plane, double radius,
-                       double normal, double tangential, double duration, scree::Stiffness stiffness) {
-  const Ball ball{material, radius, {tangential, 0.0, -normal}};
-  const auto after = impact<Law>({ball}, &plane, duration, 2000, stiffness).after[0];
-  const double vt = after.velocity.x(), w = after.angular_velocity.y();
-  return {vt / tangential, w, std::atan2(vt - radius * w, after.velocity.z()) / degree};
-}
 
 /// Test 4: 5 mm spheres of aluminium oxide at 3.9 m/s from 1 to 86 degrees to the normal, on soda-lime glass
 /// in the experiment and on a rigid plane in the test.

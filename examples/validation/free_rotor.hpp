@@ -1,0 +1,65 @@
+#pragma once
+/// \file
+/// The exact motion of a free rigid body (Landau & Lifshitz, Mechanics, section 37).
+
+#include "scree/core/linear.hpp"
+
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <boost/math/special_functions/jacobi_elliptic.hpp>
+
+#include <cmath>
+
+namespace validation {
+
+/// A free body with principal moments I1 < I2 < I3 that starts without spin about its middle axis and turns
+/// round its third: in Jacobi's elliptic functions. The z axis of space is along the angular momentum.
+class FreeRotor {
+public:
+  /// \param w3 rad/s, spin about the third axis at the start
+  /// \param wobble between 0 and 1: square of the spin about the first axis over that at which the body would
+  ///        tip over
+  FreeRotor(const scree::Vector& inertia, double w3, double wobble) : inertia_{inertia} {
+    const double i1 = inertia[0], i2 = inertia[1], i3 = inertia[2];
+    const double w1 = std::sqrt(wobble * i3 * (i3 - i2) / (i1 * (i2 - i1))) * w3;
+    momentum_ = std::hypot(i1 * w1, i3 * w3);
+    amplitude_ = {w1, w1 * std::sqrt(i1 * (i3 - i1) / (i2 * (i3 - i2))), w3};
+    rate_ = w3 * std::sqrt((i3 - i2) * (i3 - i1) / (i1 * i2));
+    modulus_ = std::sqrt(wobble);
+  }
+
+  /// rad/s, in the principal frame.
+  [[nodiscard]] scree::Vector angular_velocity(double time) const {
+    double cn = 0.0, dn = 0.0;
+    const double sn = boost::math::jacobi_elliptic(modulus_, rate_ * time, &cn, &dn);
+    return amplitude_.cwiseProduct(scree::Vector{cn, sn, dn});
+  }
+  /// Principal axes to space. Where L is in the body gives two of Euler's angles, an integral the third.
+  [[nodiscard]] scree::Quaternion orientation(double time) const {
+    const scree::Vector l = inertia_.cwiseProduct(angular_velocity(time)) / momentum_;
+    return scree::Quaternion{Eigen::AngleAxisd{precession(time), scree::Vector::UnitZ()} *
+                             Eigen::AngleAxisd{std::acos(l.z()), scree::Vector::UnitX()} *
+                             Eigen::AngleAxisd{std::atan2(l.x(), l.y()), scree::Vector::UnitZ()}};
+  }
+  /// kg m2/s
+  [[nodiscard]] double momentum() const { return momentum_; }
+
+private:
+  [[nodiscard]] double precession(double time) const {
+    const auto rate = [this](double t) {
+      const scree::Vector w = angular_velocity(t), l = inertia_.cwiseProduct(w);
+      return momentum_ * (w.x() * l.x() + w.y() * l.y()) / (l.x() * l.x() + l.y() * l.y());
+    };
+    const int parts = 1 + static_cast<int>(4.0 * rate_ * time); // narrow beside the period
+    double angle = 0.0;
+    for (int k = 0; k < parts; ++k) {
+      angle += boost::math::quadrature::gauss_kronrod<double, 61>::integrate(rate, time * k / parts,
+                                                                             time * (k + 1) / parts, 0);
+    }
+    return angle;
+  }
+
+  scree::Vector inertia_, amplitude_;
+  double momentum_ = 0.0, rate_ = 0.0, modulus_ = 0.0;
+};
+
+} // namespace validation
