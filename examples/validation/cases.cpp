@@ -17,6 +17,7 @@ const std::vector<Case>& all_cases() {
       {"falling_sphere", "MFiX DEM01 and DEM02", falling_sphere},
       {"stacked_spheres", "MFiX DEM03", stacked_spheres},
       {"sliding_sphere", "MFiX DEM04", sliding_sphere},
+      {"settled_column", "weight above, level and on a slope", settled_column},
   };
   return cases;
 }

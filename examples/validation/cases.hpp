@@ -22,6 +22,8 @@ Outcome spinning_impact(const Inputs& inputs);
 Outcome falling_sphere(const Inputs& inputs);
 Outcome stacked_spheres(const Inputs& inputs);
 Outcome sliding_sphere(const Inputs& inputs);
+// settled_column.cpp
+Outcome settled_column(const Inputs& inputs);
 
 struct Case {
   std::string name, brief;
