@@ -57,9 +57,23 @@ inline scree::Packing loose_balls(const Balls& balls, std::size_t count, const E
   return packing;
 }
 
+/// Balls above z = 0 within a tube about the z axis, apart from each other.
+/// \param radius m, of the tube
+inline scree::Packing balls_in_tube(const Balls& balls, std::size_t count, double radius,
+                                    scree::Random& random, scree::MaterialId material = 0) {
+  const scree::Vector corner{radius, radius, 0.0};
+  // A square around the tube needs 4 / pi as many; the rest makes up for those that the mantle would cut.
+  scree::Packing packing = loose_balls(balls, 2 * count, {-corner, corner}, random, material);
+  std::erase_if(packing.bodies, [&](const scree::PackedBody& body) {
+    return body.position.head<2>().norm() + 0.5 * body.scale > radius;
+  });
+  packing.bodies.resize(std::min(count, packing.bodies.size()));
+  return packing;
+}
+
 /// kg, of all free bodies for which `counts(position)`.
 template <class Simulation, class Counts>
-double mass_where(const Simulation& sim, Counts counts) {
+[[nodiscard]] double mass_where(const Simulation& sim, Counts counts) {
   double sum = 0.0;
   for (std::size_t b = 0; b < sim.bodies().size(); ++b) {
     if (!sim.bodies().is_fixed(b) && counts(sim.bodies().position(b))) {

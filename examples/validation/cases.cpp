@@ -18,6 +18,8 @@ const std::vector<Case>& all_cases() {
       {"stacked_spheres", "MFiX DEM03", stacked_spheres},
       {"sliding_sphere", "MFiX DEM04", sliding_sphere},
       {"settled_column", "weight above, level and on a slope", settled_column},
+      {"janssen", "force on the bottom of a filled tube", janssen},
+      {"beverloo", "discharge through a circular orifice", beverloo},
   };
   return cases;
 }

@@ -24,6 +24,10 @@ Outcome stacked_spheres(const Inputs& inputs);
 Outcome sliding_sphere(const Inputs& inputs);
 // settled_column.cpp
 Outcome settled_column(const Inputs& inputs);
+// janssen.cpp
+Outcome janssen(const Inputs& inputs);
+// beverloo.cpp
+Outcome beverloo(const Inputs& inputs);
 
 struct Case {
   std::string name, brief;

@@ -50,11 +50,11 @@ void compare(Outcome& out, const Bed& bed, const std::string& name, const scree:
     normal.x.push_back(depth);
     normal.y.push_back(carried.z() / area);
     shear.x.push_back(depth);
-    shear.y.push_back(carried.x() / area);
+    shear.y.push_back(-carried.x() / area);
     normal_theory.x.push_back(depth);
     normal_theory.y.push_back(-above * gravity.z() / area);
     shear_theory.x.push_back(depth);
-    shear_theory.y.push_back(-above * gravity.x() / area);
+    shear_theory.y.push_back(above * gravity.x() / area);
     if (k % 8 == 0) {
       const std::string at = fmt::format(" at {:.2f} of the height", k / 40.0);
       const double weight = above * gravity.norm();
@@ -62,8 +62,8 @@ void compare(Outcome& out, const Bed& bed, const std::string& name, const scree:
       out.add(name, "normal stress" + at, "Pa", -above * gravity.z() / area, statics, carried.z() / area,
               rest);
       const Tolerance rest_in_pascal{rest.size * weight / area, false, rest.grounds};
-      out.add(name, "shear stress down the slope" + at, "Pa", -above * gravity.x() / area, statics,
-              carried.x() / area, rest_in_pascal);
+      out.add(name, "shear stress along the slope" + at, "Pa", above * gravity.x() / area, statics,
+              -carried.x() / area, rest_in_pascal);
       out.add(name, "shear stress across" + at, "Pa", 0.0, statics, carried.y() / area, rest_in_pascal);
     }
   }
@@ -79,7 +79,7 @@ void compare(Outcome& out, const Bed& bed, const std::string& name, const scree:
   const double weight = above * gravity.norm();
   out.add(name, "mean stress of a layer, normal", "Pa", -above * gravity.z() / area, statics, stress(2, 2),
           of_rest(bed, weight));
-  out.add(name, "mean stress of a layer, shear", "Pa", -above * gravity.x() / area, statics, stress(0, 2),
+  out.add(name, "mean stress of a layer, shear", "Pa", above * gravity.x() / area, statics, -stress(0, 2),
           {of_rest(bed, weight).size * weight / area, false, of_rest(bed, weight).grounds});
   out.notes.push_back(fmt::format("{}: stress along over stress normal to the floor in the layer, K = {:.3f} "
                                   "down the slope and {:.3f} across; of this there is no exact value.",
