@@ -15,6 +15,11 @@
 
 namespace validation {
 
+/// The default model without the sums of dissipated work, which these cases do not read.
+struct Quiet : scree::DefaultModel {
+  static constexpr bool energy_audit = false;
+};
+
 /// Balls of glass about 2 mm across by the linear law. All numbers are ours: what is compared with them is a
 /// law of statics, or made dimensionless with the diameter and gravity.
 struct Balls {
@@ -22,7 +27,7 @@ struct Balls {
   double spread = 0.1;     ///< half of the range of diameters over their mean: equal balls would crystallise
   double density = 2500.0; ///< kg/m3
   double g = 9.81;         ///< m/s2
-  double friction = 0.5;
+  double friction = 0.5;   ///< as Landry, Grest, Silbert & Plimpton, Phys. Rev. E 67:041303 (2003) have it
   double restitution = 0.9;
   double stiffness = 5e3; ///< of a contact, in weights of a ball per diameter
 
@@ -95,22 +100,5 @@ double come_to_rest(Simulation& sim, double ratio, double patience, double inter
   }
   return now;
 }
-
-/// Mean of some values and its standard error, the values taken as independent.
-struct Mean {
-  double value = 0.0, standard_error = 0.0;
-
-  explicit Mean(const std::vector<double>& values) {
-    const auto n = static_cast<double>(values.size());
-    for (const double v : values) {
-      value += v / n;
-    }
-    double squares = 0.0;
-    for (const double v : values) {
-      squares += (v - value) * (v - value);
-    }
-    standard_error = std::sqrt(squares / (n - 1.0) / n);
-  }
-};
 
 } // namespace validation

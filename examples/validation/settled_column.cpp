@@ -4,7 +4,6 @@
 #include "ball_bed.hpp"
 #include "cases.hpp"
 
-#include "scree/contact/linear_spring.hpp"
 #include "scree/measure/stress.hpp"
 
 #include <fmt/format.h>
@@ -18,9 +17,6 @@ namespace validation {
 
 namespace {
 
-struct Quiet : scree::DefaultModel {
-  static constexpr bool energy_audit = false;
-};
 using Bed = scree::Simulation<Quiet>;
 
 /// Mean resultant over mean contact force at which the bed counts as at rest; ours.
