@@ -234,7 +234,7 @@ Outcome beverloo(const Inputs& inputs) {
       "Beverloo: the balls, the silo {:g} d wide and its filling of {:.0f} d are ours; at rest the balls "
       "fill "
       "{:.3f} of the bed. There is no air. With the friction of clean glass, 0.1, balls as soft as these run "
-      "out the slower the lower the head, as Pongo et al. (New J. Phys. 23:023001, 2021) found of soft balls "
+      "out the slower the lower the head, as Pongo et al. (2021, arXiv:2104.08186) found of soft balls "
       "with little friction, so that Beverloo's law is not a test there.",
       2.0 * radius / d, filled.top / d, filled.bulk_density / balls.density));
   return out;
