@@ -27,6 +27,9 @@ const std::vector<Case>& all_cases() {
       {"grazing_wall", "walls make no energy", grazing_wall},
       {"free_clump", "a clump that turns freely", free_clump},
       {"valley_pendulum", "a clump that swings in a trough", valley_pendulum},
+      {"settled_column", "weight above, level and on a slope", settled_column},
+      {"janssen", "force on the bottom of a filled tube", janssen},
+      {"beverloo", "discharge through a circular orifice", beverloo},
   };
   return cases;
 }

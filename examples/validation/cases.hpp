@@ -41,6 +41,12 @@ Outcome grazing_wall(const Inputs& inputs);
 Outcome free_clump(const Inputs& inputs);
 // valley_pendulum.cpp
 Outcome valley_pendulum(const Inputs& inputs);
+// settled_column.cpp
+Outcome settled_column(const Inputs& inputs);
+// janssen.cpp
+Outcome janssen(const Inputs& inputs);
+// beverloo.cpp
+Outcome beverloo(const Inputs& inputs);
 
 struct Case {
   std::string name, brief;

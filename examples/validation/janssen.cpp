@@ -1,0 +1,120 @@
+/// \file
+/// Janssen (1895): the wall of a tube carries part of the weight of what fills it.
+
+#include "cases.hpp"
+#include "filled_tube.hpp"
+#include "fits.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace validation {
+
+namespace {
+
+/// kg, the saturation with which Janssen's law is nearest to the fillings, by golden section.
+double fitted_saturation(const std::vector<Filling>& fillings) {
+  const auto misfit = [&](double saturation) {
+    double sum = 0.0;
+    for (const Filling& f : fillings) {
+      const double off = f.apparent - janssen_mass(f.mass, saturation);
+      sum += off * off;
+    }
+    return sum;
+  };
+  double low = 0.01 * fillings.front().mass, high = 10.0 * fillings.front().mass;
+  const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
+  while (high - low > 1e-9 * high) {
+    const double a = high - golden * (high - low), b = low + golden * (high - low);
+    (misfit(a) < misfit(b) ? high : low) = misfit(a) < misfit(b) ? b : a;
+  }
+  return 0.5 * (low + high);
+}
+
+} // namespace
+
+Outcome janssen(const Inputs& inputs) {
+  const char* name = "Janssen";
+  constexpr double sigmas = 3.0;
+  const Balls balls;
+  const double diameter = (inputs.full ? 16.0 : 8.0) * balls.diameter;
+  const std::size_t count = inputs.full ? 11200 : 1400; // to about three diameters
+  const std::uint64_t seeds = inputs.full ? 8 : 4;
+  std::vector<Tube> tubes;
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+    tubes.push_back(Column{balls, diameter, count, seed, inputs.threads}.measure());
+  }
+  const auto over_tubes = [&](auto value) {
+    std::vector<double> values;
+    for (const Tube& tube : tubes) {
+      values.push_back(value(tube));
+    }
+    return Mean{values};
+  };
+  Outcome out;
+  const Filling& whole = tubes.front().fillings.front();
+  out.add(name, "what bottom and side carry over weight, less the gain in momentum", "1", 1.0,
+          {Origin::theory, "momentum of all balls"},
+          (whole.apparent + whole.side - whole.gained) / whole.mass, {1e-9, true, "rounding of sums"});
+
+  Series found{"scree", Origin::code, {}, {}};
+  Series expected{"Janssen with K and friction as measured", Origin::theory, {}, {}};
+  Series weight{"all of it", Origin::theory, {}, {}};
+  const double kg = 1e3; // g
+  for (std::size_t k = 0; k < shares.size(); ++k) {
+    const Mean ratio = over_tubes([k](const Tube& tube) {
+      const Filling& f = tube.fillings[k];
+      return f.apparent / janssen_mass(f.mass, tube.saturation());
+    });
+    const Mean mass = over_tubes([k](const Tube& tube) { return tube.fillings[k].mass; });
+    const Mean apparent = over_tubes([k](const Tube& tube) { return tube.fillings[k].apparent; });
+    const Mean theory =
+        over_tubes([k](const Tube& tube) { return janssen_mass(tube.fillings[k].mass, tube.saturation()); });
+    out.add(name, fmt::format("apparent over Janssen's mass, filled to {:g}", shares[k]), "1", 1.0,
+            {Origin::theory, "M_inf (1 - exp(-M / M_inf)), M_inf from K and wall friction as measured"},
+            ratio.value,
+            {sigmas * ratio.standard_error, true,
+             fmt::format("{:g} standard errors over {} tubes", sigmas, tubes.size())});
+    found.x.push_back(kg * mass.value);
+    found.y.push_back(kg * apparent.value);
+    expected.x.push_back(kg * mass.value);
+    expected.y.push_back(kg * theory.value);
+    weight.x.push_back(kg * mass.value);
+    weight.y.push_back(kg * mass.value);
+  }
+  const Mean growth =
+      over_tubes([](const Tube& tube) { return tube.fillings[0].apparent / tube.fillings[1].apparent; });
+  const Mean left =
+      over_tubes([](const Tube& tube) { return std::exp(-tube.fillings[1].mass / tube.saturation()); });
+  out.add(name, "apparent mass, filled to 1 over filled to 0.75", "1", 1.0, {Origin::theory, "saturation"},
+          growth.value,
+          {sigmas * growth.standard_error + left.value, true,
+           fmt::format("{:g} standard errors over {} tubes, and exp(-M / M_inf)", sigmas, tubes.size())});
+  const Mean fit =
+      over_tubes([](const Tube& tube) { return fitted_saturation(tube.fillings) / tube.saturation(); });
+  out.add(name, "saturation mass, fitted to the fillings over that from K and friction", "1", 1.0,
+          {Origin::theory, "M_inf = bulk density pi D^3 / (16 K mu)"}, fit.value,
+          {sigmas * fit.standard_error, true,
+           fmt::format("{:g} standard errors over {} tubes", sigmas, tubes.size())});
+  const Mean k = over_tubes([](const Tube& tube) { return tube.middle.radial / tube.middle.vertical; });
+  const Mean mu = over_tubes([](const Tube& tube) { return tube.middle.shear / tube.middle.radial; });
+  out.notes.push_back(fmt::format("Janssen: the tube is {:g} balls wide; in the middle of the tallest "
+                                  "filling K = radial at the wall over "
+                                  "vertical stress = {:.3f} +- {:.3f} and the wall friction that holds is "
+                                  "{:.3f} +- {:.3f} of {:g} that it "
+                                  "could be. All numbers of the set-up are ours.",
+                                  diameter / balls.diameter, k.value, k.standard_error, mu.value,
+                                  mu.standard_error, balls.friction));
+  out.draw({"janssen",
+            name,
+            "mass of the filling, g",
+            "mass that the bottom feels, g",
+            {expected, weight},
+            {found}});
+  return out;
+}
+
+} // namespace validation

@@ -1,0 +1,11 @@
+#include "validation/case_check.hpp"
+
+using scree::test::check_case;
+
+TEST_CASE("physics: the wall of a filled tube carries weight, Janssen") {
+  check_case("janssen");
+}
+
+TEST_CASE("physics: balls run out of an orifice, Beverloo") {
+  check_case("beverloo");
+}
