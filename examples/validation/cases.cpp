@@ -17,6 +17,12 @@ const std::vector<Case>& all_cases() {
       {"falling_sphere", "MFiX DEM01 and DEM02", falling_sphere},
       {"stacked_spheres", "MFiX DEM03", stacked_spheres},
       {"sliding_sphere", "MFiX DEM04", sliding_sphere},
+      {"mesh_drop", "dropped on a mesh and on a plane", mesh_drop},
+      {"mesh_roll", "rolling on a mesh and on a plane", mesh_roll},
+      {"mesh_tube", "rolling in a tessellated tube", mesh_tube},
+      {"mesh_silo", "a silo as a cylinder and as meshes", mesh_silo},
+      {"mesh_hopper", "a hopper as planes and as meshes", mesh_hopper},
+      {"triaxial", "triaxial compression of spheres", triaxial},
   };
   return cases;
 }

@@ -22,6 +22,17 @@ Outcome spinning_impact(const Inputs& inputs);
 Outcome falling_sphere(const Inputs& inputs);
 Outcome stacked_spheres(const Inputs& inputs);
 Outcome sliding_sphere(const Inputs& inputs);
+// mesh_walls.cpp
+Outcome mesh_drop(const Inputs& inputs);
+Outcome mesh_roll(const Inputs& inputs);
+// mesh_tube.cpp
+Outcome mesh_tube(const Inputs& inputs);
+// mesh_silo.cpp
+Outcome mesh_silo(const Inputs& inputs);
+// mesh_hopper.cpp
+Outcome mesh_hopper(const Inputs& inputs);
+// triaxial.cpp
+Outcome triaxial(const Inputs& inputs);
 
 struct Case {
   std::string name, brief;
