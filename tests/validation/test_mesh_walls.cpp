@@ -2,7 +2,7 @@
 
 using scree::test::check_case;
 
-TEST_CASE("physics: grains dropped on a mesh and on the plane it stands for") {
+TEST_CASE("grains dropped on a mesh and on the plane it stands for") {
   check_case("mesh_drop");
 }
 
@@ -10,7 +10,7 @@ TEST_CASE("a sphere that rolls over a mesh and over the plane it stands for") {
   check_case("mesh_roll");
 }
 
-TEST_CASE("physics: a sphere that rolls in a tessellated tube") {
+TEST_CASE("a sphere that rolls in a tessellated tube") {
   check_case("mesh_tube");
 }
 
