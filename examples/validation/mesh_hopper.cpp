@@ -104,7 +104,7 @@ Outcome mesh_hopper(const Inputs& inputs) {
   const std::string name = "hopper of flat walls";
   Outcome out;
   Chart curves{"mesh_hopper", name, "time since the gate opened, s", "share of the mass that is out", {}, {}};
-  Series parting{"farthest sphere, seed 1", Origin::code, {}, {}};
+  Series parting{"planes to meshes, farthest of the spheres, seed 1", Origin::code, {}, {}};
   std::array<std::array<std::vector<double>, 3>, 2>
       found; // by kind of wall, of each quantity, over the seeds
   double early = 0.0;
@@ -148,7 +148,7 @@ Outcome mesh_hopper(const Inputs& inputs) {
   out.draw({"mesh_parting",
             name + ": planes and meshes",
             "time, s",
-            "log10 of the distance of the same sphere over its diameter",
+            "log10 (distance / diameter)",
             {},
             {parting}});
   out.notes.push_back(

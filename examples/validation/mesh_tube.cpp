@@ -79,8 +79,7 @@ Outcome mesh_tube(const Inputs& /*inputs*/) {
   const char* name = "roll in a tessellated tube";
   const auto ball = scree::make_clump("sphere", std::vector<scree::Sphere>{{Vector::Zero(), radius}});
   Outcome out;
-  Chart chart{"mesh_tube", name, "time, s", "angle behind that in the Cylinder, times sides squared, rad",
-              {},          {}};
+  Chart chart{"mesh_tube", name, "time, s", "angle behind the Cylinder x sides^2, rad", {}, {}};
   const Series round = rolled(ball, 0, duration);
   const std::array<int, 4> sides{128, 256, 512, 1024};
   double before = 0.0;
