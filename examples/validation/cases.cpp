@@ -30,6 +30,12 @@ const std::vector<Case>& all_cases() {
       {"settled_column", "weight above, level and on a slope", settled_column},
       {"janssen", "force on the bottom of a filled tube", janssen},
       {"beverloo", "discharge through a circular orifice", beverloo},
+      {"mesh_drop", "dropped on a mesh and on a plane", mesh_drop},
+      {"mesh_roll", "rolling on a mesh and on a plane", mesh_roll},
+      {"mesh_tube", "rolling in a tessellated tube", mesh_tube},
+      {"mesh_silo", "a silo as a cylinder and as meshes", mesh_silo},
+      {"mesh_hopper", "a hopper as planes and as meshes", mesh_hopper},
+      {"triaxial", "triaxial compression of spheres", triaxial},
   };
   return cases;
 }

@@ -47,6 +47,17 @@ Outcome settled_column(const Inputs& inputs);
 Outcome janssen(const Inputs& inputs);
 // beverloo.cpp
 Outcome beverloo(const Inputs& inputs);
+// mesh_walls.cpp
+Outcome mesh_drop(const Inputs& inputs);
+Outcome mesh_roll(const Inputs& inputs);
+// mesh_tube.cpp
+Outcome mesh_tube(const Inputs& inputs);
+// mesh_silo.cpp
+Outcome mesh_silo(const Inputs& inputs);
+// mesh_hopper.cpp
+Outcome mesh_hopper(const Inputs& inputs);
+// triaxial.cpp
+Outcome triaxial(const Inputs& inputs);
 
 struct Case {
   std::string name, brief;
