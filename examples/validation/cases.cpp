@@ -17,6 +17,9 @@ const std::vector<Case>& all_cases() {
       {"falling_sphere", "MFiX DEM01 and DEM02", falling_sphere},
       {"stacked_spheres", "MFiX DEM03", stacked_spheres},
       {"sliding_sphere", "MFiX DEM04", sliding_sphere},
+      {"dosta_silo", "Dosta et al. 1, silo", dosta_silo},
+      {"dosta_drum", "Dosta et al. 2, drum", dosta_drum},
+      {"dosta_impact", "Dosta et al. 3, impact on a bed", dosta_impact},
   };
   return cases;
 }

@@ -22,6 +22,10 @@ Outcome spinning_impact(const Inputs& inputs);
 Outcome falling_sphere(const Inputs& inputs);
 Outcome stacked_spheres(const Inputs& inputs);
 Outcome sliding_sphere(const Inputs& inputs);
+// dosta_silo.cpp, dosta_drum.cpp, dosta_impact.cpp
+Outcome dosta_silo(const Inputs& inputs);
+Outcome dosta_drum(const Inputs& inputs);
+Outcome dosta_impact(const Inputs& inputs);
 
 struct Case {
   std::string name, brief;
