@@ -59,8 +59,8 @@ struct Size {
 };
 
 Mixing mix_in_drum(const Inputs& inputs, const Size& size) {
-  // The beads meet far slower than the 2 m/s of the drum's width fallen through; a single contact stands a
-  // step beyond that of a dense bed (simulation/stable_step.hpp) in any case.
+  // The step of a dense bed whose beads meet at 0.1 m/s. One that falls faster is outside the bed, where a
+  // contact stands a step more than twice as long (simulation/stable_step.hpp).
   scree::Simulation<dosta::Bulk<float>> sim{
       {.step_safety = 1.0, .top_speed = 0.1, .threads = inputs.threads}};
   const dosta::Materials of = dosta::add_materials(sim, size.softness);
@@ -89,13 +89,12 @@ Mixing mix_in_drum(const Inputs& inputs, const Size& size) {
   }
   Mixing mixing;
   mixing.add(0.0, sim.bodies(), of.m1);
-  scree::run_for(sim, size.end, scree::Every{0.025, [&](const auto& s) {
-                                               mixing.add(s.time() - size.settle, s.bodies(), of.m1);
-                                             }});
+  constexpr double interval = 0.025;
+  while (mixing.time.back() < size.end - 0.5 * interval) {
+    scree::run_for(sim, size.settle + interval * static_cast<double>(mixing.time.size()) - sim.time());
+    mixing.add(sim.time() - size.settle, sim.bodies(), of.m1);
+  }
   mixing.work = static_cast<double>(sim.steps()) * static_cast<double>(sim.bodies().size());
-  fmt::print(stderr, "z0 {} {} z1 {} {} search {} f {} m {} w {} n {}\n", mixing.values[5].front(),
-             mixing.values[7].front(), mixing.values[5].back(), mixing.values[7].back(), sim.times().search,
-             sim.times().forces, sim.times().motion, sim.times().walls, sim.list_renewals());
   return mixing;
 }
 
@@ -121,9 +120,8 @@ Outcome dosta_drum(const Inputs& inputs) {
   if (inputs.reference.empty()) {
     return dosta::no_reference(name, "the beads, the drum and the codes' curves");
   }
-  const Size size = inputs.full
-                        ? Size{1.0, 0.0, 4.9, {0.1, 0.2, 0.3, 0.5, 0.7, 1.0, 1.5, 2.0}}
-                        : Size{std::stod(std::getenv("SOFT")), std::stod(std::getenv("SETTLE")), 0.1, {0.1}};
+  const Size size = inputs.full ? Size{1.0, 0.0, 4.9, {0.1, 0.2, 0.3, 0.5, 0.7, 1.0, 1.5, 2.0}}
+                                : Size{0.01, 0.03, 0.1, {0.1}};
   const auto codes = dosta::read_codes(inputs, "case2");
   const dosta::Stopwatch watch;
   const Mixing mixing = mix_in_drum(inputs, size);
@@ -153,6 +151,10 @@ Outcome dosta_drum(const Inputs& inputs) {
     }
   }
   for (std::size_t k = 0; k < columns.size(); ++k) {
+    const auto [least, most] = std::minmax_element(mixing.values[k].begin(), mixing.values[k].end());
+    if (*least == *most) {
+      continue; // a zone that is still empty
+    }
     Chart chart{fmt::format("dosta_drum_{}", columns[k]),
                 name,
                 "time, s",
@@ -175,9 +177,10 @@ Outcome dosta_drum(const Inputs& inputs) {
                          ": single precision velocities and forces and the time step are ours; z1 and z2 "
                          "are the quarters with x, z above and below 0, m1 the small beads");
   if (!inputs.full) {
-    out.notes.emplace_back(name +
-                           ": the first 0.1 s with moduli of 1 % of the paper's (ours), so heights are "
-                           "not compared; 4.9 s with the paper's at full size");
+    out.notes.emplace_back(
+        name + ": the first 0.1 s with moduli of 1 % of the paper's (ours), so the bed "
+               "sinks for 0.03 s before the drum turns and heights are not compared; with 5 % the "
+               "centres move by 0.06 mm less; 4.9 s with the paper's moduli at full size");
   }
   return out;
 }

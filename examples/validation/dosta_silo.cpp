@@ -62,9 +62,10 @@ struct Size {
   unsigned threads;
 };
 
-/// The time step is that of a dense bed whose beads meet at 0.1 m/s; a single contact stands a longer one
-/// (simulation/stable_step.hpp), so that the faster ones below the orifice do no harm.
 using Beads = scree::Simulation<dosta::Bulk<float>>;
+
+/// The step of a dense bed whose beads meet at 0.1 m/s. Those that fall faster are outside the bed, where a
+/// contact stands a step more than twice as long (simulation/stable_step.hpp).
 scree::Setup<dosta::Bulk<float>> setup(const Size& size) {
   return {.neighbours = {.share = 0.5}, .step_safety = 1.0, .top_speed = 0.1, .threads = size.threads};
 }
