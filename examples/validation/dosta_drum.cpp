@@ -12,9 +12,18 @@ namespace validation {
 
 namespace {
 
-/// What is counted and summed up, as the codes' tables name it. LIGGGHTS gives no centres.
-constexpr std::array columns{"z1_m1",    "z1_m2",    "z2_m1",    "z2_m2",
-                             "com_m1_x", "com_m1_z", "com_m2_x", "com_m2_z"};
+/// What is counted and summed up, as the codes' tables name it and in words. LIGGGHTS gives no centres.
+struct Column {
+  const char *key, *label;
+};
+constexpr std::array<Column, 8> columns{{{"z1_m1", "small beads in zone 1"},
+                                         {"z1_m2", "large beads in zone 1"},
+                                         {"z2_m1", "small beads in zone 2"},
+                                         {"z2_m2", "large beads in zone 2"},
+                                         {"com_m1_x", "centre of the small beads, x"},
+                                         {"com_m1_z", "centre of the small beads, z"},
+                                         {"com_m2_x", "centre of the large beads, x"},
+                                         {"com_m2_z", "centre of the large beads, z"}}};
 constexpr std::size_t zones = 4;
 
 /// The columns over time [s]: numbers of beads and centres of mass [m].
@@ -103,8 +112,8 @@ std::vector<Series> curves(const std::vector<dosta::Code>& codes, std::size_t co
   std::vector<Series> found;
   for (const dosta::Code& code : codes) {
     const auto& names = code.table.columns;
-    if (std::find(names.begin(), names.end(), columns[column]) != names.end()) {
-      found.push_back(code.series(columns[column]));
+    if (std::find(names.begin(), names.end(), columns[column].key) != names.end()) {
+      found.push_back(code.series(columns[column].key));
       found.back().x.pop_back();
       found.back().y.pop_back();
     }
@@ -141,7 +150,7 @@ Outcome dosta_drum(const Inputs& inputs) {
       if ((k < zones && crossed < 100.0) || (vertical && size.softness < 1.0)) {
         continue; // too few to say anything; softer beads lie lower
       }
-      const std::string quantity = fmt::format("{} at {:.1f} s", columns[k], t);
+      const std::string quantity = fmt::format("{} at {:.1f} s", columns[k].label, t);
       if (k < zones) {
         dosta::add_within_codes(out, name, quantity, "beads", theirs, found, 3.0 * std::sqrt(crossed),
                                 "three roots of the number that has come or gone");
@@ -155,10 +164,10 @@ Outcome dosta_drum(const Inputs& inputs) {
     if (*least == *most) {
       continue; // a zone that is still empty
     }
-    Chart chart{fmt::format("dosta_drum_{}", columns[k]),
+    Chart chart{fmt::format("dosta_drum_{}", columns[k].key),
                 name,
                 "time, s",
-                fmt::format("{}, {}", columns[k], k < zones ? "beads" : "m"),
+                fmt::format("{}{}", columns[k].label, k < zones ? "" : ", m"),
                 {},
                 {}};
     for (Series curve : curves(codes, k)) {
@@ -173,9 +182,8 @@ Outcome dosta_drum(const Inputs& inputs) {
   }
   // LIGGGHTS: 5 s in steps of 8e-7 s.
   out.notes.push_back(dosta::speed_note(inputs, mixing.work, seconds, "case2_liggghts", 38000 * 5.0 / 8e-7));
-  out.notes.emplace_back(name +
-                         ": single precision velocities and forces and the time step are ours; z1 and z2 "
-                         "are the quarters with x, z above and below 0, m1 the small beads");
+  out.notes.emplace_back(name + ": single precision velocities and forces and the time step are ours; zone 1 "
+                                "is where x and z are above 0, zone 2 where both are below");
   if (!inputs.full) {
     out.notes.emplace_back(
         name + ": the first 0.1 s with moduli of 1 % of the paper's (ours), so the bed "
