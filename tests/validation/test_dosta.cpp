@@ -34,7 +34,7 @@ TEST_CASE("physics: a silo runs out: Dosta et al. 1") {
   }
 }
 
-TEST_CASE("physics: beads mix in a drum: Dosta et al. 2") {
+TEST_CASE("long: beads mix in a drum: Dosta et al. 2") {
   if (reference_file("dosta2024/timings.json")) {
     check_case("dosta_drum");
   }
