@@ -4,7 +4,7 @@
 # where scree's use of them is not affected.
 function(scree_need package least debian)
   set(mode CONFIG)
-  if(package MATCHES "^(PNG|Threads)$")
+  if(package MATCHES "^(PNG|Threads|ZLIB)$")
     set(mode MODULE)
   endif()
   find_package(${package} ${mode} QUIET)

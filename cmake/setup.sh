@@ -10,7 +10,7 @@ die() {
 # What a build needs, as COMMAND:PACKAGE (present if the command is there) or :PACKAGE (present if dpkg says so).
 needed_packages="c++:g++ cmake:cmake ninja:ninja-build gnuplot:gnuplot-nox
   :libeigen3-dev :libboost-dev :doctest-dev :libcli11-dev :nlohmann-json3-dev :libtomlplusplus-dev :libfmt-dev
-  :libpng-dev :libbenchmark-dev"
+  :libpng-dev :zlib1g-dev :libbenchmark-dev"
 
 is_installed() {
   if [ -n "${1%%:*}" ]; then

@@ -36,6 +36,9 @@ const std::vector<Case>& all_cases() {
       {"mesh_silo", "a silo as a cylinder and as meshes", mesh_silo},
       {"mesh_hopper", "a hopper as planes and as meshes", mesh_hopper},
       {"triaxial", "triaxial compression of spheres", triaxial},
+      {"dosta_silo", "Dosta et al. 1, silo", dosta_silo},
+      {"dosta_drum", "Dosta et al. 2, drum", dosta_drum},
+      {"dosta_impact", "Dosta et al. 3, impact on a bed", dosta_impact},
   };
   return cases;
 }

@@ -58,6 +58,10 @@ Outcome mesh_silo(const Inputs& inputs);
 Outcome mesh_hopper(const Inputs& inputs);
 // triaxial.cpp
 Outcome triaxial(const Inputs& inputs);
+// dosta_silo.cpp, dosta_drum.cpp, dosta_impact.cpp
+Outcome dosta_silo(const Inputs& inputs);
+Outcome dosta_drum(const Inputs& inputs);
+Outcome dosta_impact(const Inputs& inputs);
 
 struct Case {
   std::string name, brief;
