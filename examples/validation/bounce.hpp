@@ -2,6 +2,8 @@
 /// \file
 /// The closed form of a sphere that bounces on a spring and a dashpot.
 
+#include "scree/core/error.hpp"
+
 #include <boost/math/tools/toms748_solve.hpp>
 
 #include <cmath>
@@ -32,8 +34,16 @@ struct BounceInTheory {
     const auto force = [this](double t) {
       return -frequency * frequency * height(t) - 2.0 * decay * velocity(t);
     };
-    const double half = std::numbers::pi / std::sqrt(frequency * frequency - decay * decay);
-    return root(force, lowest(), 1.5 * half);
+    // The weight makes it positive again later.
+    const double start = lowest(), stride = 0.02 / frequency;
+    double end = start + stride;
+    while (force(end) > 0.0) {
+      end += stride;
+      if (end > start + 10.0 / frequency) {
+        throw scree::Error("the sphere does not leave the plane");
+      }
+    }
+    return root(force, start, end);
   }
   /// m, to which it flies up from there.
   [[nodiscard]] double top() const {
