@@ -133,8 +133,7 @@ Discharge discharge(const Balls& balls, const Filled& filled, double radius, dou
   }
   const Mean rate{rates};
   const Trend trend{rates};
-  return {orifice, rate, trend.slope / rate.value, trend.standard_error / rate.value, (before - first) / all,
-          emptied};
+  return {orifice, rate, trend.slope / rate.value, trend.error / rate.value, (before - first) / all, emptied};
 }
 
 /// ln W over ln(D - k d), lengths in balls.
@@ -143,7 +142,7 @@ Fit power_law(const std::vector<Discharge>& flows, double unit, double d, double
   for (const Discharge& flow : flows) {
     x.push_back(std::log(flow.orifice / d - k));
     y.push_back(std::log(flow.rate.value / unit));
-    error.push_back(flow.rate.standard_error / flow.rate.value);
+    error.push_back(flow.rate.error / flow.rate.value);
   }
   return {x, y, error};
 }
@@ -155,7 +154,7 @@ Fit two_fifths(const std::vector<Discharge>& flows, double unit, double d) {
     const double root = std::pow(flow.rate.value / unit, 0.4);
     x.push_back(flow.orifice / d);
     y.push_back(root);
-    error.push_back(0.4 * root * flow.rate.standard_error / flow.rate.value);
+    error.push_back(0.4 * root * flow.rate.error / flow.rate.value);
   }
   return {x, y, error};
 }

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace validation {
@@ -25,24 +26,32 @@ struct Filling {
   double gained = 0.0;   ///< kg, what the balls take up in momentum
 };
 
-/// What Janssen's law needs, measured in the middle of the tallest filling.
-struct Middle {
+/// What Janssen's law needs, measured between two heights of the tallest filling.
+struct Slice {
   double vertical = 0.0;     ///< Pa, mean over the section
   double radial = 0.0;       ///< Pa, at the wall
   double shear = 0.0;        ///< Pa, at the wall, up on the balls
   double bulk_density = 0.0; ///< kg/m3
+
+  void add(const Slice& other, double share) {
+    vertical += share * other.vertical;
+    radial += share * other.radial;
+    shear += share * other.shear;
+    bulk_density += share * other.bulk_density;
+  }
 };
 
 struct Tube {
   double diameter = 0.0; ///< m
   std::vector<Filling> fillings;
-  Middle middle;
+  Slice lower, upper, middle; ///< the second and third quarter of the height, and their mean
 
-  /// kg, M_inf = bulk density pi D^3 / (16 K mu), with K mu of the middle.
-  [[nodiscard]] double saturation() const {
-    return middle.bulk_density * std::numbers::pi * std::pow(diameter, 3) * middle.vertical /
-           (16.0 * middle.shear);
+  /// kg, M_inf = bulk density pi D^3 / (16 K mu), with K mu of a slice.
+  [[nodiscard]] double saturation(const Slice& slice) const {
+    return slice.bulk_density * std::numbers::pi * std::pow(diameter, 3) * slice.vertical /
+           (16.0 * slice.shear);
   }
+  [[nodiscard]] double saturation() const { return saturation(middle); }
 };
 
 /// kg, that Janssen's law gives for the bottom.
@@ -75,7 +84,7 @@ public:
   }
 
   Tube measure() {
-    Tube out{diameter_, {}, {}};
+    Tube out{diameter_, {}, {}, {}, {}};
     const double height = top();
     bed_.dynamics<scree::Prescribed>(bottom) = sinking(speed());
     sink(0.75, nullptr);
@@ -83,7 +92,7 @@ public:
       const double lid = floor() + share * height;
       bed_.remove_bodies([lid](const auto& bodies, std::size_t b) { return bodies.position(b).z() > lid; });
       sink(share < 1.0 ? 0.25 : 0.0, nullptr);
-      out.fillings.push_back(sink(share > 0.5 ? 1.0 : 0.5, share < 1.0 ? nullptr : &out.middle));
+      out.fillings.push_back(sink(share > 0.5 ? 1.0 : 0.5, share < 1.0 ? nullptr : &out));
     }
     return out;
   }
@@ -116,21 +125,22 @@ private:
   }
 
   /// Lets the bottom sink by some diameters and takes means over that time.
-  Filling sink(double diameters, Middle* middle) {
+  Filling sink(double diameters, Tube* tube) {
     const double start = bed_.time(), before = momentum();
     const double on_bottom = bed_.wall(bottom).load.impulse.z(), on_side = bed_.wall(side).load.impulse.z();
-    std::vector<Middle> samples;
-    scree::run_for(bed_, diameters * balls_.diameter / speed(), scree::Every{balls_.time(), [&](const auto&) {
-                                                                               if (middle != nullptr) {
-                                                                                 samples.push_back(look());
-                                                                               }
-                                                                             }});
-    for (const Middle& sample : samples) {
+    std::vector<std::pair<Slice, Slice>> samples;
+    scree::run_for(bed_, diameters * balls_.diameter / speed(),
+                   scree::Every{balls_.time(), [&](const auto&) {
+                                  if (tube != nullptr) {
+                                    samples.push_back({look(0.25, 0.5), look(0.5, 0.75)});
+                                  }
+                                }});
+    for (const auto& [lower, upper] : samples) {
       const double share = 1.0 / static_cast<double>(samples.size());
-      middle->vertical += share * sample.vertical;
-      middle->radial += share * sample.radial;
-      middle->shear += share * sample.shear;
-      middle->bulk_density += share * sample.bulk_density;
+      tube->lower.add(lower, share);
+      tube->upper.add(upper, share);
+      tube->middle.add(lower, 0.5 * share);
+      tube->middle.add(upper, 0.5 * share);
     }
     const double weight_of_kg = balls_.g * (bed_.time() - start); // N s
     return {mass_where(bed_, [](const scree::Vector&) { return true; }),
@@ -139,13 +149,13 @@ private:
             (momentum() - before) / weight_of_kg};
   }
 
-  /// Half of the height, in the middle: away from the bottom and from the surface.
-  [[nodiscard]] Middle look() const {
-    const double height = top() - floor();
-    const double low = floor() + 0.25 * height, high = floor() + 0.75 * height, r = 0.5 * diameter_;
+  /// \param from, to shares of the height
+  [[nodiscard]] Slice look(double from, double to) const {
+    const double height = top() - floor(), r = 0.5 * diameter_;
+    const double low = floor() + from * height, high = floor() + to * height;
     const double section = std::numbers::pi * r * r, mantle = 2.0 * std::numbers::pi * r * (high - low);
     const Eigen::AlignedBox3d box{scree::Vector{-r, -r, low}, scree::Vector{r, r, high}};
-    Middle out;
+    Slice out;
     out.vertical = scree::mean_stress(bed_, box)(2, 2) * box.volume() / (section * (high - low));
     bed_.visit_contacts([&](const scree::ContactView& c) {
       if (c.with_wall && c.second == side && c.point.z() >= low && c.point.z() < high) {

@@ -1,6 +1,8 @@
 #pragma once
 /// \file
-/// Means and straight lines with their standard errors.
+/// Straight lines with their standard errors.
+
+#include "scatter.hpp"
 
 #include <cmath>
 #include <cstddef>
@@ -8,26 +10,9 @@
 
 namespace validation {
 
-/// Mean of some values and its standard error, the values taken as independent.
-struct Mean {
-  double value = 0.0, standard_error = 0.0;
-
-  explicit Mean(const std::vector<double>& values) {
-    const auto n = static_cast<double>(values.size());
-    for (const double v : values) {
-      value += v / n;
-    }
-    double squares = 0.0;
-    for (const double v : values) {
-      squares += (v - value) * (v - value);
-    }
-    standard_error = std::sqrt(squares / (n - 1.0) / n);
-  }
-};
-
 /// Slope of a line through equally spaced values and its standard error.
 struct Trend {
-  double slope = 0.0, standard_error = 0.0; ///< over the whole range
+  double slope = 0.0, error = 0.0; ///< over the whole range
 
   explicit Trend(const std::vector<double>& values) {
     const auto n = static_cast<double>(values.size());
@@ -43,7 +28,7 @@ struct Trend {
       const double off = values[k] - mean - slope * place(k);
       residual += off * off;
     }
-    standard_error = std::sqrt(residual / (n - 2.0) / sxx);
+    error = std::sqrt(residual / (n - 2.0) / sxx);
   }
 };
 

@@ -33,7 +33,7 @@ inline const scree::Material glass{.density = density,
 inline void add_means(Outcome& out, const std::string& name, const std::string& quantity,
                       const std::string& unit, const std::vector<double>& analytic,
                       const std::vector<double>& mesh) {
-  const Mean a = mean_of(analytic), m = mean_of(mesh);
+  const Mean a{analytic}, m{mesh};
   // Student's t of 10 degrees of freedom at 99.9 %, as there are six seeds on both sides.
   static_assert(seeds == 6);
   out.add(name, quantity, unit, a.value, {Origin::code, "the same with analytic walls, mean of 6 seeds"},

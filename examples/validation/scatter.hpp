@@ -1,29 +1,38 @@
 #pragma once
 /// \file
-/// Means and their standard errors.
+/// Means and what they are worth.
+
+#include <boost/math/distributions/students_t.hpp>
 
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace validation {
 
-/// A mean with its standard error.
+/// Mean of independent values with its standard error.
 struct Mean {
   double value = 0.0, error = 0.0;
-};
+  std::size_t count = 0;
 
-/// Of independent values, at least two.
-inline Mean mean_of(const std::vector<double>& values) {
-  Mean mean;
-  const auto n = static_cast<double>(values.size());
-  for (const double v : values) {
-    mean.value += v / n;
+  /// \param values at least two
+  explicit Mean(const std::vector<double>& values) : count{values.size()} {
+    const auto n = static_cast<double>(count);
+    for (const double v : values) {
+      value += v / n;
+    }
+    double squares = 0.0;
+    for (const double v : values) {
+      squares += (v - value) * (v - value);
+    }
+    error = std::sqrt(squares / (n - 1.0) / n);
   }
-  for (const double v : values) {
-    mean.error += std::pow(v - mean.value, 2) / (n * (n - 1.0));
+
+  /// How far the true mean may be away, with the confidence `level`: Student's t times the standard error.
+  [[nodiscard]] double margin(double level) const {
+    const boost::math::students_t distribution{static_cast<double>(count - 1)};
+    return boost::math::quantile(distribution, 0.5 * (1.0 + level)) * error;
   }
-  mean.error = std::sqrt(mean.error);
-  return mean;
-}
+};
 
 } // namespace validation
