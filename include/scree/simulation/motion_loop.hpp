@@ -86,7 +86,7 @@ double move_bodies(const Block& block, const TimeStep& step, double local_dampin
                          to_eigen(body.inertia), step);
       body.angular_velocity = to_vec3<Real>(w);
       Integrator::translate(body.position, body.velocity, force * (Real{1} / body.mass), step);
-      bodies.place_members(b);
+      bodies.place_members(b, step.dt);
       for (std::size_t s = first; s < bodies.first_sphere(b + 1); ++s) {
         note(spheres[s].velocity);
       }

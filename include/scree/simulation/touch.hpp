@@ -28,7 +28,7 @@ struct Touch {
   T arm_i, arm_j; ///< m, from the centres to the contact point, in the middle of the overlap
 };
 
-/// The kinematics of two spheres that touch, in a step of `dt` [s].
+/// The kinematics of two spheres that touch, after a step of `dt` [s].
 ///
 /// A contact fills much of the window in which a processor looks ahead, so it takes as long as its longest
 /// chain of dependent operations. What can start from the squared distance therefore does not wait for the
@@ -49,7 +49,10 @@ template <class T>
   const Vec3<T> spins = s.spin_i + s.spin_j;
   // spin_i arm_i + spin_j arm_j
   const Vec3<T> rim = (s.spin_i - s.spin_j) * (T(0.5) * s.difference) + spins * (T(0.5) * distance);
-  k.velocity = velocity - cross(rim, k.normal);
+  // Velocities stand half a step behind, so the arms are those of half a step ago: with the present ones, a
+  // pair that turns as one body would seem to slip.
+  const Vec3<T> past_normal = (s.apart - velocity * (T(0.5) * dt)) * (distance * inverse_square);
+  k.velocity = velocity - cross(rim, past_normal);
   // The normal tilts as the centres pass each other; about it the contact turns with the mean spin.
   k.turn = (cross(s.apart, velocity) + s.apart * (T(0.5) * dot(spins, s.apart))) * (inverse_square * dt);
   k.reduced_radius = T(0.25) * (s.reach - s.difference * s.difference / s.reach);

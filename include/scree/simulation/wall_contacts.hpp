@@ -73,6 +73,18 @@ void find_wall_candidates(const Block& block, const Bodies<Real>& bodies, std::s
   }
 }
 
+/// m/s, of a sphere relative to a wall at their contact, whose normal tilted by `tilt` [rad] in a step of `dt`
+/// [s]. Velocities stand half a step behind, so the arms are those of half a step ago.
+/// \param arm m, from the centre of the sphere to the contact point
+template <class Real>
+Vector slip_velocity(const SphereRecord<Real>& sphere, const WallMotion& wall, const Vector& normal,
+                     const Vector& tilt, double arm, double dt) {
+  const Vector past_arm = -arm * (normal - 0.5 * tilt.cross(normal));
+  const Vector between = to_eigen(sphere.velocity) - wall.velocity; // of centre and wall
+  const Vector past_lever = to_eigen(sphere.position) - wall.position - 0.5 * dt * between + past_arm;
+  return between + to_eigen(sphere.angular_velocity).cross(past_arm) - wall.angular_velocity.cross(past_lever);
+}
+
 /// Adds the forces of the walls to the spheres of a block, and what the walls feel to `sums` (one for each
 /// wall).
 template <bool audit, ContactLaw Law, class Real, class AnyWall, class PairMaterials>
@@ -141,8 +153,7 @@ void add_wall_forces(const Law& law, const PairMaterials& pair_material, std::sp
       k.overlap = static_cast<Real>(contact.overlap);
       k.spin_i = sphere.angular_velocity;
       k.spin_j = to_vec3<Real>(wall.motion.angular_velocity);
-      k.velocity = sphere.velocity - cross(sphere.angular_velocity, k.normal) * static_cast<Real>(arm) -
-                   to_vec3<Real>(wall.motion.velocity_at(now.point));
+      k.velocity = to_vec3<Real>(slip_velocity(sphere, wall.motion, now.normal, tilt, arm, dt));
       k.reduced_radius = static_cast<Real>(sphere.radius);
       k.reduced_mass = Real{1} / (sphere.inverse_mass + static_cast<Real>(wall.inverse_mass()));
       k.turn = to_vec3<Real>(tilt) + k.normal * (Real(0.5) * dot(k.spin_i + k.spin_j, k.normal) * dt);

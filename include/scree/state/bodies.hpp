@@ -91,7 +91,7 @@ public:
     }
     forces_.resize(spheres_.size());
     first_.push_back(static_cast<std::uint32_t>(spheres_.size()));
-    place_members(records_.size() - 1);
+    place_members(records_.size() - 1, 0.0);
     if (lone || given.fixed) {
       for (std::size_t s = first_sphere(size() - 1); s < first_sphere(size()); ++s) {
         spheres_[s].angular_velocity = given.fixed ? Vec3<Real>{} : to_vec3<Real>(given.angular_velocity);
@@ -151,8 +151,10 @@ public:
   /// m, of a member sphere from the centre of mass, in the principal frame.
   [[nodiscard]] const Vec3<double>& offset(std::size_t sphere) const { return offsets_[sphere]; }
 
-  /// Puts the members of a clump or fixed body where its body record says.
-  void place_members(std::size_t b) {
+  /// Puts the members of a clump or fixed body where its body record says. Their velocities stand half a step
+  /// behind, as that of the body does: those of the arms of half a step ago.
+  /// \param dt s, of the step that led there; 0 for a body that was put there
+  void place_members(std::size_t b, double dt) {
     const BodyRecord<Real>& body = records_[b];
     const Matrix turn = body.orientation.toRotationMatrix();
     const Vector w = turn * to_eigen(body.angular_velocity);
@@ -161,7 +163,7 @@ public:
     for (std::size_t s = first_[b]; s < first_[b + 1]; ++s) {
       const Vector arm = turn * to_eigen(offsets_[s]);
       spheres_[s].position = to_vec3(Vector(x + arm));
-      spheres_[s].velocity = to_vec3<Real>(Vector(v + w.cross(arm)));
+      spheres_[s].velocity = to_vec3<Real>(Vector(v + w.cross(arm - 0.5 * dt * w.cross(arm))));
       spheres_[s].angular_velocity = to_vec3<Real>(w);
     }
   }
@@ -183,7 +185,7 @@ public:
       spheres_[first_[b]].velocity = body.velocity;
       spheres_[first_[b]].angular_velocity = to_vec3<Real>(w);
     } else {
-      place_members(b);
+      place_members(b, 0.0);
     }
   }
 
