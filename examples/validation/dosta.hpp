@@ -5,6 +5,7 @@
 
 #include "finding.hpp"
 #include "gzip_text.hpp"
+#include "number_rows.hpp"
 #include "reference_curve.hpp"
 
 #include "scree/contact/hertz_mindlin.hpp"
@@ -64,21 +65,9 @@ Materials add_materials(Simulation& sim, double softness) {
 
 /// Rows of `count` numbers below a header. A row of another length is left out: the impact's files end in
 /// one for the steel ball, "5 0.01 0.01 0 0 0.06".
-inline std::vector<std::vector<double>> read_rows(const std::filesystem::path& file, std::size_t count) {
+inline Rows read_rows(const std::filesystem::path& file, std::size_t count) {
   std::istringstream text{read_packed_text(file)};
-  std::string line;
-  std::getline(text, line); // the header
-  std::vector<std::vector<double>> rows;
-  while (std::getline(text, line)) {
-    std::istringstream words{line};
-    std::vector<double> row;
-    for (double value = 0.0; words >> value;) {
-      row.push_back(value);
-    }
-    if (row.size() == count) {
-      rows.push_back(std::move(row));
-    }
-  }
+  Rows rows = rows_of(text, count);
   if (rows.empty()) {
     throw scree::Error(scree::message(file.string(), ": has no rows of ", count, " numbers"));
   }

@@ -44,7 +44,7 @@ struct Slice {
 struct Tube {
   double diameter = 0.0; ///< m
   std::vector<Filling> fillings;
-  Slice lower, upper, middle; ///< the second and third quarter of the height, and their mean
+  Slice foot, middle; ///< the lowest quarter of the height, and the two above it
 
   /// kg, M_inf = bulk density pi D^3 / (16 K mu), with K mu of a slice.
   [[nodiscard]] double saturation(const Slice& slice) const {
@@ -84,7 +84,7 @@ public:
   }
 
   Tube measure() {
-    Tube out{diameter_, {}, {}, {}, {}};
+    Tube out{diameter_, {}, {}, {}};
     const double height = top();
     bed_.dynamics<scree::Prescribed>(bottom) = sinking(speed());
     sink(0.75, nullptr);
@@ -128,19 +128,17 @@ private:
   Filling sink(double diameters, Tube* tube) {
     const double start = bed_.time(), before = momentum();
     const double on_bottom = bed_.wall(bottom).load.impulse.z(), on_side = bed_.wall(side).load.impulse.z();
-    std::vector<std::pair<Slice, Slice>> samples;
+    std::vector<std::pair<Slice, Slice>> samples; // foot, middle
     scree::run_for(bed_, diameters * balls_.diameter / speed(),
                    scree::Every{balls_.time(), [&](const auto&) {
                                   if (tube != nullptr) {
-                                    samples.push_back({look(0.25, 0.5), look(0.5, 0.75)});
+                                    samples.push_back({look(0.0, 0.25), look(0.25, 0.75)});
                                   }
                                 }});
-    for (const auto& [lower, upper] : samples) {
+    for (const auto& [foot, middle] : samples) {
       const double share = 1.0 / static_cast<double>(samples.size());
-      tube->lower.add(lower, share);
-      tube->upper.add(upper, share);
-      tube->middle.add(lower, 0.5 * share);
-      tube->middle.add(upper, 0.5 * share);
+      tube->foot.add(foot, share);
+      tube->middle.add(middle, share);
     }
     const double weight_of_kg = balls_.g * (bed_.time() - start); // N s
     return {mass_where(bed_, [](const scree::Vector&) { return true; }),

@@ -51,15 +51,18 @@ FreeMotion turn_freely(int steps) {
                                                                            {{-0.01, -0.003, -0.006}, 0.006}});
   const auto id = sim.add_material({.normal_stiffness = 1e-6, .shear_stiffness = 1e-6});
   const scree::Quaternion space = scree::Random{7, "free clump"}.orientation();
-  const FreeRotor exact{sim.materials().at(id).density * shape.inertia, spin, 0.5};
+  const scree::Vector inertia = sim.materials().at(id).density * shape.inertia;
+  // Half of the wobble, in energy, at which it would tip over.
+  const double wobble =
+      std::sqrt(0.5 * inertia[2] * (inertia[2] - inertia[1]) / (inertia[0] * (inertia[1] - inertia[0])));
+  const FreeRotor exact{inertia, wobble * spin, spin};
   const auto orientation_at = [&](double t) { return space * exact.orientation(t); };
   sim.add({.clump = &shape,
            .material = id,
            .orientation = orientation_at(0.0),
            .angular_velocity = orientation_at(0.0) * exact.angular_velocity(0.0)});
   const auto& bodies = sim.bodies();
-  const scree::Vector inertia = bodies.inertia(0),
-                      momentum = exact.momentum() * (space * scree::Vector::UnitZ());
+  const scree::Vector momentum = space * exact.momentum();
   // rad/s in the principal frame, at the time of the orientation: a leapfrog has it half a step behind; the
   // splitting turns the momentum with the body.
   const auto spin_here = [&] {
@@ -73,8 +76,8 @@ FreeMotion turn_freely(int steps) {
   for (int k = 1; k <= steps; ++k) {
     sim.step();
     const scree::Vector l = bodies.orientation(0) * inertia.cwiseProduct(spin_here());
-    out.momentum = std::max(out.momentum, std::abs(l.norm() / exact.momentum() - 1.0));
-    out.direction = std::max(out.direction, (l - momentum).norm() / exact.momentum());
+    out.momentum = std::max(out.momentum, std::abs(l.norm() / momentum.norm() - 1.0));
+    out.direction = std::max(out.direction, (l - momentum).norm() / momentum.norm());
     out.energy = std::max(out.energy, std::abs(bodies.kinetic_energy(0) / at_first - 1.0));
     if (k % (steps / 200) == 0) {
       const double t = k * dt;

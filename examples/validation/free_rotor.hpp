@@ -2,6 +2,7 @@
 /// \file
 /// The exact motion of a free rigid body (Landau & Lifshitz, Mechanics, section 37).
 
+#include "scree/core/error.hpp"
 #include "scree/core/linear.hpp"
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
@@ -12,20 +13,27 @@
 namespace validation {
 
 /// A free body with principal moments I1 < I2 < I3 that starts without spin about its middle axis and turns
-/// round its third: in Jacobi's elliptic functions. The z axis of space is along the angular momentum.
+/// round its third, L^2 > 2 E I2: in Jacobi's elliptic functions. The z axis of space is along the angular
+/// momentum.
 class FreeRotor {
 public:
-  /// \param w3 rad/s, spin about the third axis at the start
-  /// \param wobble between 0 and 1: square of the spin about the first axis over that at which the body would
-  ///        tip over
-  FreeRotor(const scree::Vector& inertia, double w3, double wobble) : inertia_{inertia} {
+  /// \param w1, w3 rad/s, spin about the first and the third axis at the start
+  /// \throws scree::Error for a body that does not turn round its third axis.
+  FreeRotor(const scree::Vector& inertia, double w1, double w3) : inertia_{inertia} {
     const double i1 = inertia[0], i2 = inertia[1], i3 = inertia[2];
-    const double w1 = std::sqrt(wobble * i3 * (i3 - i2) / (i1 * (i2 - i1))) * w3;
+    const double wobble = i1 * (i2 - i1) * w1 * w1, turn = i3 * (i3 - i2) * w3 * w3;
+    if (!(turn > wobble)) {
+      throw scree::Error("free rotor: the body does not turn round its third axis");
+    }
     momentum_ = std::hypot(i1 * w1, i3 * w3);
     amplitude_ = {w1, w1 * std::sqrt(i1 * (i3 - i1) / (i2 * (i3 - i2))), w3};
     rate_ = w3 * std::sqrt((i3 - i2) * (i3 - i1) / (i1 * i2));
-    modulus_ = std::sqrt(wobble);
+    modulus_ = std::sqrt(wobble / turn);
   }
+
+  [[nodiscard]] const scree::Vector& inertia() const { return inertia_; }
+  /// kg m2/s
+  [[nodiscard]] scree::Vector momentum() const { return momentum_ * scree::Vector::UnitZ(); }
 
   /// rad/s, in the principal frame.
   [[nodiscard]] scree::Vector angular_velocity(double time) const {
@@ -33,6 +41,7 @@ public:
     const double sn = boost::math::jacobi_elliptic(modulus_, rate_ * time, &cn, &dn);
     return amplitude_.cwiseProduct(scree::Vector{cn, sn, dn});
   }
+
   /// Principal axes to space. Where L is in the body gives two of Euler's angles, an integral the third.
   [[nodiscard]] scree::Quaternion orientation(double time) const {
     const scree::Vector l = inertia_.cwiseProduct(angular_velocity(time)) / momentum_;
@@ -40,8 +49,6 @@ public:
                              Eigen::AngleAxisd{std::acos(l.z()), scree::Vector::UnitX()} *
                              Eigen::AngleAxisd{std::atan2(l.x(), l.y()), scree::Vector::UnitZ()}};
   }
-  /// kg m2/s
-  [[nodiscard]] double momentum() const { return momentum_; }
 
 private:
   [[nodiscard]] double precession(double time) const {
@@ -49,7 +56,8 @@ private:
       const scree::Vector w = angular_velocity(t), l = inertia_.cwiseProduct(w);
       return momentum_ * (w.x() * l.x() + w.y() * l.y()) / (l.x() * l.x() + l.y() * l.y());
     };
-    const int parts = 1 + static_cast<int>(4.0 * rate_ * time); // narrow beside the period
+    // The precession of a rod is all but still, with a jerk twice in each turn of its wobble: narrow panels.
+    const int parts = 1 + static_cast<int>(16.0 * rate_ * time);
     double angle = 0.0;
     for (int k = 0; k < parts; ++k) {
       angle += boost::math::quadrature::gauss_kronrod<double, 61>::integrate(rate, time * k / parts,

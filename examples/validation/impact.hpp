@@ -3,6 +3,7 @@
 /// A sphere that meets a plane or another sphere, from before the contact to after it.
 
 #include "finding.hpp"
+#include "law.hpp"
 
 #include "scree/simulation/simulation.hpp"
 
@@ -40,11 +41,6 @@ inline scree::Material rigid(scree::Material material) {
   material.shear_stiffness *= 1e3;
   return material;
 }
-
-template <class Law>
-struct With : scree::DefaultModel {
-  using Contact = Law;
-};
 
 /// One ball on a plane of `partner` at z = 0, or two balls of which the second lies below, both just apart at
 /// the start.

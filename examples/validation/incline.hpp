@@ -3,7 +3,7 @@
 /// Bodies on an incline: a plane and gravity that is tilted to it.
 
 #include "impact.hpp"
-#include "law_name.hpp"
+#include "law.hpp"
 
 #include "scree/simulation/simulation.hpp"
 

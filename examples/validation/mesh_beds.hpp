@@ -2,11 +2,11 @@
 /// \file
 /// What the beds between meshes and between analytic walls share.
 
+#include "ball_bed.hpp"
 #include "impact.hpp"
 #include "scatter.hpp"
 
 #include "scree/contact/linear_spring.hpp"
-#include "scree/packing/loose_lattice.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -34,24 +34,16 @@ inline void add_means(Outcome& out, const std::string& name, const std::string& 
                       const std::string& unit, const std::vector<double>& analytic,
                       const std::vector<double>& mesh) {
   const Mean a{analytic}, m{mesh};
-  // Student's t of 10 degrees of freedom at 99.9 %, as there are six seeds on both sides.
-  static_assert(seeds == 6);
   out.add(name, quantity, unit, a.value, {Origin::code, "the same with analytic walls, mean of 6 seeds"},
           m.value,
-          {4.59 * std::hypot(a.error, m.error), false,
+          {margin_of_difference(a, m, 0.999), false,
            "standard error of the difference of two means of 6 seeds, times Student's t at 99.9 %"});
 }
 
 /// Adds spheres of 0.8 to 1.2 diameters on a loose lattice over `footprint`.
 inline void pour(Bed& bed, std::size_t count, const Eigen::AlignedBox3d& footprint, std::uint64_t seed) {
   scree::Random random{seed, "bed between meshes"};
-  const std::vector<scree::Clump> shapes{
-      scree::make_clump("sphere", std::vector<scree::Sphere>{{Vector::Zero(), 0.5 * diameter}})};
-  std::vector<scree::DrawnClump> drawn;
-  for (std::size_t k = 0; k < count; ++k) {
-    drawn.push_back({0, random.uniform(0.8, 1.2)});
-  }
-  scree::Packing packing = scree::loose_lattice(shapes, drawn, footprint, random);
+  scree::Packing packing = loose_balls({.diameter = diameter, .spread = 0.2}, count, footprint, random);
   for (auto& body : packing.bodies) {
     body.velocity = {random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1), -0.3};
   }

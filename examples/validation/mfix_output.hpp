@@ -2,19 +2,17 @@
 /// \file
 /// The stored outputs of MFiX's verification cases: tables of numbers between lines of text.
 
-#include "scree/core/error.hpp"
-#include "scree/io/number_text.hpp"
+#include "number_rows.hpp"
 
-#include <cstddef>
+#include "scree/core/error.hpp"
+
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace validation {
-
-using Rows = std::vector<std::vector<double>>;
 
 /// The tables of a file, each an unbroken run of lines of nothing but numbers, as many in each.
 /// \throws Error for a file that cannot be read or has none.
@@ -26,15 +24,8 @@ inline std::vector<Rows> mfix_tables(const std::filesystem::path& file) {
   std::vector<Rows> tables;
   bool within = false;
   for (std::string line; std::getline(in, line);) {
-    std::istringstream words{line};
-    std::vector<double> row;
-    bool numbers = true;
-    for (std::string word; words >> word;) {
-      const auto value = scree::parse_number(word);
-      numbers = numbers && value.has_value();
-      row.push_back(value.value_or(0.0));
-    }
-    if (!numbers || row.empty()) {
+    std::vector<double> row = numbers_in(line);
+    if (row.empty()) {
       within = false;
       continue;
     }

@@ -11,6 +11,24 @@ namespace validation {
 
 inline constexpr double degree = std::numbers::pi / 180.0;
 
+/// The spheres of Kharaz, Gorham & Salman (2001), by Chung & Ooi (2011), table 2.
+namespace kharaz {
+
+inline constexpr double radius = 0.0025, speed = 3.9, friction = 0.092, restitution = 0.98; // m, m/s
+
+/// The linear stiffnesses are those of MFiX's DEM05, N/m at the contact.
+inline scree::Material aluminium_oxide(double restitution_of) {
+  return {.density = 4000,
+          .normal_stiffness = 1.72e7,
+          .shear_stiffness = 1.48e7,
+          .youngs_modulus = 3.8e11,
+          .poisson_ratio = 0.23,
+          .friction = friction,
+          .restitution = restitution_of};
+}
+
+} // namespace kharaz
+
 /// What an oblique impact comes to, in the terms of the papers.
 struct Oblique {
   double tangential_restitution; ///< of the centre

@@ -3,7 +3,7 @@
 /// own results and the measurements of Kharaz, Gorham & Salman (2001).
 
 #include "cases.hpp"
-#include "law_name.hpp"
+#include "law.hpp"
 #include "mfix_output.hpp"
 #include "oblique.hpp"
 #include "reference_curve.hpp"
@@ -19,8 +19,7 @@ namespace validation {
 
 namespace {
 
-constexpr double radius = 0.0025, speed = 3.9, mu = 0.092;
-constexpr double measured_restitution = 0.98; // Kharaz et al., of the same material; MFiX takes 1
+using kharaz::radius, kharaz::speed;
 
 /// What DEM05 compares: of what comes after, and as momentum alone has it from the tangential restitution,
 /// whatever the law of contact.
@@ -43,7 +42,7 @@ double spin_of(double, const scree::Vector&, double w) {
   return w;
 }
 double rebound_angle_from(double angle, double tangential) {
-  return std::atan(tangential * std::tan(angle * degree) / measured_restitution) / degree;
+  return std::atan(tangential * std::tan(angle * degree) / kharaz::restitution) / degree;
 }
 double spin_from(double angle, double tangential) {
   return 2.5 * (1.0 - tangential) * tangential_speed(angle) / radius;
@@ -57,13 +56,7 @@ const std::vector<Quantity> quantities{
 /// Restitution e on glass, as DEM05 has both.
 template <class Law>
 double simulated(const Quantity& quantity, double angle, double e) {
-  const scree::Material oxide{.density = 4000,
-                              .normal_stiffness = 1.72e7,
-                              .shear_stiffness = 1.48e7,
-                              .youngs_modulus = 3.8e11,
-                              .poisson_ratio = 0.23,
-                              .friction = mu,
-                              .restitution = e};
+  const scree::Material oxide = kharaz::aluminium_oxide(e);
   scree::Material glass = oxide;
   glass.youngs_modulus = 7e10;
   glass.poisson_ratio = 0.25;
@@ -107,7 +100,7 @@ double disagreement(const Inputs& inputs, const Quantity& quantity) {
       continue;
     }
     const double tangential = value_at(restitution, angle);
-    off.push_back(own ? measured_restitution * std::tan(points.y[k] * degree) / std::tan(angle * degree) -
+    off.push_back(own ? kharaz::restitution * std::tan(points.y[k] * degree) / std::tan(angle * degree) -
                             tangential
                       : quantity.from_restitution(angle, tangential) - points.y[k]);
   }
@@ -168,7 +161,7 @@ void beside_experiment(const Inputs& inputs, const Quantity& quantity, Outcome& 
   const Series points = measured(inputs, quantity.file);
   std::vector<double> off, off_small;
   for (std::size_t k = 0; k < points.x.size(); ++k) {
-    off.push_back(simulated<Law>(quantity, points.x[k], measured_restitution) - points.y[k]);
+    off.push_back(simulated<Law>(quantity, points.x[k], kharaz::restitution) - points.y[k]);
     if (points.x[k] < small) {
       off_small.push_back(off.back());
     }
@@ -185,7 +178,7 @@ void beside_experiment(const Inputs& inputs, const Quantity& quantity, Outcome& 
   Series found{"scree, e 0.98", Origin::code, {}, {}};
   for (double angle = 0.5; angle <= 65.0; angle += 0.5) {
     found.x.push_back(angle);
-    found.y.push_back(simulated<Law>(quantity, angle, measured_restitution));
+    found.y.push_back(simulated<Law>(quantity, angle, kharaz::restitution));
   }
   chart.references.push_back(points);
   chart.simulated.push_back(found);
@@ -229,10 +222,10 @@ Outcome oblique_impact_mfix(const Inputs& inputs) {
       "DEM05's k_t / k_n of 0.86. MFiX's Hertzian law, whose tangential force is the present stiffness times "
       "all the "
       "displacement, gives back all of it: restitution 0.997.",
-      a, restitution.y.front(), simulated<scree::LinearSpring<>>(quantities[1], a, measured_restitution),
-      simulated<scree::HertzMindlin<>>(quantities[1], a, measured_restitution), b, spin.y.front(),
-      simulated<scree::LinearSpring<>>(quantities[2], b, measured_restitution),
-      simulated<scree::HertzMindlin<>>(quantities[2], b, measured_restitution)));
+      a, restitution.y.front(), simulated<scree::LinearSpring<>>(quantities[1], a, kharaz::restitution),
+      simulated<scree::HertzMindlin<>>(quantities[1], a, kharaz::restitution), b, spin.y.front(),
+      simulated<scree::LinearSpring<>>(quantities[2], b, kharaz::restitution),
+      simulated<scree::HertzMindlin<>>(quantities[2], b, kharaz::restitution)));
   out.notes.push_back("MFiX DEM05: inputs are those of its mfix.dat (stiffnesses, moduli, e 1), the speed of "
                       "3.9 m/s follows from its "
                       "results; its collisions with a particle as wall are left out, as its particle moves.");

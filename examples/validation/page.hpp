@@ -35,7 +35,7 @@ inline std::string page(const std::vector<Outcome>& outcomes, const std::string&
       "<h1>scree: validation</h1>\n<p>{} quantities, {} outside their tolerance. "
       "{}</p>\n<h2>Table</h2>\n<table>"
       "<tr><th>case<th>quantity<th>reference<th>source<th>simulated<th>error<th>tolerance<th>within</tr>\n",
-      findings.size(), failed, html_escaped(made_by));
+      findings.size(), failed, scree::xml_escaped(made_by));
   const auto error = [](const Finding& f, double value) {
     return f.tolerance.relative ? fmt::format("{:.3g} %", 100.0 * value)
                                 : fmt::format("{:.3g} {}", value, f.unit);
@@ -44,15 +44,16 @@ inline std::string page(const std::vector<Outcome>& outcomes, const std::string&
     out += fmt::format(
         "<tr class='{}'><td>{}<td>{}<td class=n>{:.6g} {}<td>{}: {}<td class=n>{:.6g}<td class=n>{}"
         "<td>{}: {}<td>{}{}</tr>\n",
-        f->pass() ? "yes" : "no", html_escaped(f->case_name), html_escaped(f->quantity), f->reference,
-        html_escaped(f->unit), name(f->source.origin), html_escaped(f->source.text), f->simulated,
-        error(*f, f->error()), error(*f, f->tolerance.size), html_escaped(f->tolerance.grounds),
-        f->pass() ? "yes" : "<b>no</b> ", html_escaped(f->reason));
+        f->pass() ? "yes" : "no", scree::xml_escaped(f->case_name), scree::xml_escaped(f->quantity),
+        f->reference, scree::xml_escaped(f->unit), name(f->source.origin), scree::xml_escaped(f->source.text),
+        f->simulated, error(*f, f->error()), error(*f, f->tolerance.size),
+        scree::xml_escaped(f->tolerance.grounds), f->pass() ? "yes" : "<b>no</b> ",
+        scree::xml_escaped(f->reason));
   }
   out += "</table>\n<h2>Not compared</h2>\n<ul>\n";
   for (const Outcome& o : outcomes) {
     for (const std::string& note : o.notes) {
-      out += "<li>" + html_escaped(note) + "</li>\n";
+      out += "<li>" + scree::xml_escaped(note) + "</li>\n";
     }
   }
   out += "</ul>\n<h2>Curves</h2>\n";

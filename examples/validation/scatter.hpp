@@ -29,10 +29,19 @@ struct Mean {
   }
 
   /// How far the true mean may be away, with the confidence `level`: Student's t times the standard error.
-  [[nodiscard]] double margin(double level) const {
-    const boost::math::students_t distribution{static_cast<double>(count - 1)};
-    return boost::math::quantile(distribution, 0.5 * (1.0 + level)) * error;
+  [[nodiscard]] double margin(double level) const { return student(count - 1, level) * error; }
+
+  /// Student's t of both sides.
+  [[nodiscard]] static double student(std::size_t freedom, double level) {
+    const boost::math::students_t distribution{static_cast<double>(freedom)};
+    return boost::math::quantile(distribution, 0.5 * (1.0 + level));
   }
 };
+
+/// How far two means of the same may be apart, with the confidence `level`: Student's t times the standard
+/// error of their difference.
+inline double margin_of_difference(const Mean& a, const Mean& b, double level) {
+  return Mean::student(a.count + b.count - 2, level) * std::hypot(a.error, b.error);
+}
 
 } // namespace validation

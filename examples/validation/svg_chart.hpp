@@ -4,6 +4,8 @@
 
 #include "finding.hpp"
 
+#include "scree/io/xml_text.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,29 +17,6 @@
 #include <vector>
 
 namespace validation {
-
-inline std::string html_escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-    case '<':
-      out += "&lt;";
-      break;
-    case '>':
-      out += "&gt;";
-      break;
-    case '&':
-      out += "&amp;";
-      break;
-    case '"':
-      out += "&quot;";
-      break;
-    default:
-      out += c;
-    }
-  }
-  return out;
-}
 
 namespace detail {
 
@@ -84,7 +63,7 @@ inline std::string svg_chart(const Chart& chart) {
 
   std::string out = fmt::format("<svg viewBox='0 0 {0} {1}' width='{0}' height='{1}' role='img'>"
                                 "<text x='{2}' y='18' class='title'>{3}</text>",
-                                width, height, left, html_escaped(chart.title));
+                                width, height, left, scree::xml_escaped(chart.title));
   for (const double mark : ax.marks) {
     out += fmt::format("<line x1='{0:.1f}' x2='{0:.1f}' y1='{1:.1f}' y2='{2:.1f}' class='grid'/>"
                        "<text x='{0:.1f}' y='{3:.1f}' text-anchor='middle'>{4:.4g}</text>",
@@ -97,13 +76,13 @@ inline std::string svg_chart(const Chart& chart) {
   }
   out += fmt::format("<text x='{:.1f}' y='{:.1f}' text-anchor='middle'>{}</text>"
                      "<text transform='translate(13 {:.1f}) rotate(-90)' text-anchor='middle'>{}</text>",
-                     0.5 * (px(ax.low) + px(ax.high)), height - 8.0, html_escaped(chart.x_label),
-                     0.5 * (py(ay.low) + py(ay.high)), html_escaped(chart.y_label));
+                     0.5 * (px(ax.low) + px(ax.high)), height - 8.0, scree::xml_escaped(chart.x_label),
+                     0.5 * (py(ay.low) + py(ay.high)), scree::xml_escaped(chart.y_label));
 
   double legend = top + 8.0;
   const auto say = [&](const std::string& sign, const std::string& label) {
     out += fmt::format("<g transform='translate({:.1f} {:.1f})'>{}<text x='24' y='4'>{}</text></g>",
-                       left + 10.0, legend, sign, html_escaped(label));
+                       left + 10.0, legend, sign, scree::xml_escaped(label));
     legend += 15.0;
   };
   for (std::size_t n = 0; n < chart.simulated.size(); ++n) {

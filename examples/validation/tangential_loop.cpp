@@ -5,7 +5,7 @@
 
 #include "cases.hpp"
 #include "impact.hpp"
-#include "law_name.hpp"
+#include "law.hpp"
 
 #include <fmt/format.h>
 

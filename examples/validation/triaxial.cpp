@@ -3,6 +3,7 @@
 /// beside theory, another code and sand.
 
 #include "cases.hpp"
+#include "number_rows.hpp"
 #include "reference_curve.hpp"
 #include "triaxial_test.hpp"
 
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,9 +22,7 @@ namespace {
 
 using namespace drained;
 
-/// Student's t at 99 %: of six tests with two means, and of six with one.
-constexpr double student_of_two = 4.60, student_of_one = 4.03;
-static_assert(seeds == 3);
+constexpr double level = 0.99; // of Student's t
 
 /// Friction angles in triaxial compression that a ratio of shear stress to mean stress in simple shear stands
 /// for: by Matsuoka and Nakai (1974), with the geometric mean of the others as the intermediate stress that
@@ -59,20 +57,10 @@ struct SandTest {
 SandTest read_sand(const std::filesystem::path& file) {
   std::ifstream in{file};
   SandTest test;
-  std::string line;
-  while (std::getline(in, line)) {
-    std::istringstream words{line};
-    std::vector<double> row;
-    for (std::string word; words >> word;) {
-      if (const auto number = scree::parse_number(word)) {
-        row.push_back(*number);
-      }
-    }
-    if (row.size() == 8) {
-      test.strain.push_back(row[0]);
-      test.volume_strain.push_back(row[1]);
-      test.ratio.push_back(row[7]);
-    }
+  for (const auto& row : rows_of(in, 8)) {
+    test.strain.push_back(row[0]);
+    test.volume_strain.push_back(row[1]);
+    test.ratio.push_back(row[7]);
   }
   if (test.strain.empty()) {
     throw scree::Error(scree::message(file.string(), ": holds no readings"));
@@ -130,13 +118,12 @@ void add_balances(Outcome& out, const std::string& name, const PressSetup& setup
        "overlap under the pressure, 3 p d / k; 0.005 for the spread of sizes (ours); two standard errors"});
 }
 
-/// \param unit standard error of the difference of two means of three tests each, from all six
 void add_equal(Outcome& out, const std::string& name, const std::string& quantity, const std::string& unit,
                const std::vector<double>& dense, const std::vector<double>& loose) {
   const Mean d{dense}, l{loose};
   out.add(name, quantity + ", dense less loose", unit, 0.0, {Origin::theory, "one critical state"},
           d.value - l.value,
-          {student_of_two * std::hypot(d.error, l.error), false,
+          {margin_of_difference(d, l, level), false,
            "Student's t at 99 % times the standard error of the difference, over three samples of each"});
 }
 
@@ -154,7 +141,7 @@ Outcome findings(const Inputs& inputs, const PressSetup& setup, const Samples& d
     const Mean other{(s == &dense ? loose : dense).each(critical_dilation)};
     out.add(name + ", " + s->name, "dilation rate at the end", "1", 0.0, {Origin::theory, "critical state"},
             rate.value,
-            {student_of_two * std::hypot(rate.error, other.error) / std::sqrt(2.0), false,
+            {margin_of_difference(rate, other, level) / std::sqrt(2.0), false,
              "Student's t at 99 % times the standard error of the mean of three samples, from all six"});
   }
 
@@ -165,7 +152,7 @@ Outcome findings(const Inputs& inputs, const PressSetup& setup, const Samples& d
   const Range range = triaxial_angle(0.382);
   out.add(name, "critical friction angle of all samples", "degrees", 0.5 * (range.low + range.high),
           {Origin::code, "Chialvo, Sun & Sundaresan (2012), mu 0.5: tau / p 0.382 in simple shear"}, crit,
-          {0.5 * (range.high - range.low) + student_of_one * critical_of_all.error, false,
+          {0.5 * (range.high - range.low) + critical_of_all.margin(level), false,
            "from simple shear to triaxial by Matsuoka & Nakai or by Mohr & Coulomb, and Student's t at 99 % "
            "times the standard error"});
 
@@ -180,7 +167,7 @@ Outcome findings(const Inputs& inputs, const PressSetup& setup, const Samples& d
     out.add(name + ", " + samples->name, "peak less critical friction angle, less Bolton's", "degrees", 0.0,
             {Origin::experiment, "Bolton (1986), sands: 3 I_R degrees at a dilation rate of 0.3 I_R"},
             over.value,
-            {2.0 + over.margin(0.99), false,
+            {2.0 + over.margin(level), false,
              "scatter of Bolton's tests, some 2 degrees, and Student's t at 99 % times the standard error"});
   }
   out.notes.push_back(

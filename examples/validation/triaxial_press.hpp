@@ -6,6 +6,7 @@
 
 #include "scree/contact/linear_spring.hpp"
 #include "scree/measure/energy.hpp"
+#include "scree/measure/stress.hpp"
 #include "scree/measure/unbalanced_force.hpp"
 #include "scree/packing/loose_lattice.hpp"
 
@@ -174,16 +175,10 @@ public:
     }
     return sum;
   }
-  /// Pa, from the contacts (Love 1927, Weber 1966): force times branch over the volume. The branch of a wall
-  /// contact goes from the sphere's centre to the wall.
+  /// Pa, of the three axes, from the contacts.
   [[nodiscard]] Vector contact_stress() const {
-    Vector sum = Vector::Zero();
-    visit_contacts([&](const scree::ContactView& c) {
-      const Vector from =
-          c.with_wall ? Vector{c.point + 0.5 * c.overlap * c.normal} : bodies().position(c.second);
-      sum += c.force.cwiseProduct(bodies().position(c.first) - from);
-    });
-    return sum / volume();
+    const Eigen::AlignedBox3d sample{Vector::Zero(), Vector{size(0), size(1), size(2)}};
+    return scree::mean_stress(*this, sample).diagonal();
   }
   /// J, done on the spheres by all walls since the start.
   [[nodiscard]] double boundary_work() const {

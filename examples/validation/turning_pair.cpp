@@ -4,7 +4,7 @@
 
 #include "cases.hpp"
 #include "impact.hpp"
-#include "law_name.hpp"
+#include "law.hpp"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 
 #include "cases.hpp"
 #include "impact.hpp"
-#include "law_name.hpp"
+#include "law.hpp"
 
 #include "scree/core/random.hpp"
 #include "scree/integrators/leapfrog.hpp"

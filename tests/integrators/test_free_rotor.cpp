@@ -3,80 +3,22 @@
 /// Mechanics, §37).
 
 #include "support/relative_error.hpp"
+#include "validation/free_rotor.hpp"
 
 #include "scree/integrators/leapfrog.hpp"
 #include "scree/integrators/rotor_splitting.hpp"
 
-#include <boost/math/quadrature/gauss_kronrod.hpp>
-#include <boost/math/special_functions/jacobi_elliptic.hpp>
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <type_traits>
 
 using namespace scree;
 using test::relative_error;
+using validation::FreeRotor;
 
 namespace {
-
-/// A free body with principal moments I1 < I2 < I3 that starts with no spin about its middle axis and turns
-/// round its third, L^2 > 2 E I2. The z axis of space is along the angular momentum.
-class ExactRotor {
-public:
-  ExactRotor(const Vector& inertia, double w1, double w3) : inertia_{inertia} {
-    const double i1 = inertia[0], i2 = inertia[1], i3 = inertia[2];
-    const double twice_energy = i1 * w1 * w1 + i3 * w3 * w3;
-    const double momentum2 = i1 * i1 * w1 * w1 + i3 * i3 * w3 * w3;
-    const double a = twice_energy * i3 - momentum2, b = momentum2 - twice_energy * i1;
-    if (!(momentum2 > twice_energy * i2)) {
-      throw std::invalid_argument("the body does not turn round its third axis");
-    }
-    momentum_ = std::sqrt(momentum2);
-    amplitude_ = {std::sqrt(a / (i1 * (i3 - i1))), std::sqrt(a / (i2 * (i3 - i2))),
-                  std::sqrt(b / (i3 * (i3 - i1)))};
-    rate_ = std::sqrt((i3 - i2) * b / (i1 * i2 * i3));
-    modulus_ = std::sqrt((i2 - i1) * a / ((i3 - i2) * b));
-  }
-
-  [[nodiscard]] const Vector& inertia() const { return inertia_; }
-  [[nodiscard]] Vector momentum() const { return momentum_ * Vector::UnitZ(); }
-
-  /// rad/s, in the principal frame.
-  [[nodiscard]] Vector angular_velocity(double time) const {
-    double cn = 0.0, dn = 0.0;
-    const double sn = boost::math::jacobi_elliptic(modulus_, rate_ * time, &cn, &dn);
-    return amplitude_.cwiseProduct(Vector{cn, sn, dn});
-  }
-
-  /// The direction of L in the body gives two of Euler's angles, an integral of the spin the third.
-  [[nodiscard]] Quaternion orientation(double time) const {
-    const Vector l = inertia_.cwiseProduct(angular_velocity(time)) / momentum_;
-    const double tilt = std::acos(l.z()), spin = std::atan2(l.x(), l.y());
-    return Quaternion{Eigen::AngleAxisd{precession(time), Vector::UnitZ()} *
-                      Eigen::AngleAxisd{tilt, Vector::UnitX()} * Eigen::AngleAxisd{spin, Vector::UnitZ()}};
-  }
-
-private:
-  [[nodiscard]] double precession(double time) const {
-    const auto speed = [this](double t) {
-      const Vector w = angular_velocity(t), l = inertia_.cwiseProduct(w);
-      return momentum_ * (w.x() * l.x() + w.y() * l.y()) / (l.x() * l.x() + l.y() * l.y());
-    };
-    // The precession of a rod is all but still, with a jerk twice in each turn of its wobble: narrow panels.
-    const int parts = 1 + static_cast<int>(16.0 * rate_ * time);
-    double angle = 0.0;
-    for (int k = 0; k < parts; ++k) {
-      angle += boost::math::quadrature::gauss_kronrod<double, 61>::integrate(speed, time * k / parts,
-                                                                             time * (k + 1) / parts, 0);
-    }
-    return angle;
-  }
-
-  Vector inertia_, amplitude_;
-  double momentum_ = 0.0, rate_ = 0.0, modulus_ = 0.0;
-};
 
 /// A body on its way under an integrator, stepped as the simulation steps it.
 template <class Integrator>
@@ -86,7 +28,7 @@ struct Rotor {
   Vector inertia;
   bool fresh = true;
 
-  explicit Rotor(const ExactRotor& exact)
+  explicit Rotor(const FreeRotor& exact)
       : orientation{exact.orientation(0.0)},
         angular_velocity{exact.angular_velocity(0.0)},
         inertia{exact.inertia()} {}
@@ -118,7 +60,7 @@ struct Errors {
 };
 
 template <class Integrator>
-Errors errors(const ExactRotor& exact, int steps, double duration) {
+Errors errors(const FreeRotor& exact, int steps, double duration) {
   const double dt = duration / steps;
   Rotor<Integrator> rotor{exact};
   rotor.advance(steps, dt);
@@ -127,14 +69,14 @@ Errors errors(const ExactRotor& exact, int steps, double duration) {
           (rotor.angular_velocity_here(dt) - w).norm() / w.norm()};
 }
 
-const ExactRotor asymmetric{{1.0, 2.0, 2.5}, 0.9, 1.0};
+const FreeRotor asymmetric{{1.0, 2.0, 2.5}, 0.9, 1.0};
 /// A rod whose two large moments are almost alike, as a row of spheres with a bump has them.
-const ExactRotor rod{{1.0, 20.0, 20.5}, 0.4, 1.0};
+const FreeRotor rod{{1.0, 20.0, 20.5}, 0.4, 1.0};
 
 } // namespace
 
 TEST_CASE("the exact solution fulfils Euler's equations and keeps the angular momentum in space") {
-  for (const ExactRotor* exact : {&asymmetric, &rod}) {
+  for (const FreeRotor* exact : {&asymmetric, &rod}) {
     const double h = 1e-3;
     for (const double t : {0.0, 0.7, 3.9, 12.0}) {
       CAPTURE(t);
@@ -154,7 +96,7 @@ TEST_CASE("the exact solution fulfils Euler's equations and keeps the angular mo
 
 TEST_CASE_TEMPLATE("physics: rotation is of second order for a free asymmetric body", Integrator, Leapfrog,
                    RotorSplitting) {
-  for (const ExactRotor* exact : {&asymmetric, &rod}) {
+  for (const FreeRotor* exact : {&asymmetric, &rod}) {
     CAPTURE(exact->inertia().transpose());
     const double duration = 11.0; // about two turns of the asymmetric body
     Errors coarse = errors<Integrator>(*exact, 2000, duration);
@@ -173,7 +115,7 @@ TEST_CASE_TEMPLATE("physics: rotation is of second order for a free asymmetric b
 }
 
 TEST_CASE("physics: a free leapfrog body keeps its energy over 1e5 steps, its angular momentum to O(dt^2)") {
-  for (const ExactRotor* exact : {&asymmetric, &rod}) {
+  for (const FreeRotor* exact : {&asymmetric, &rod}) {
     CAPTURE(exact->inertia().transpose());
     double wandering_before = 0.0;
     for (const double dt : {0.008, 0.004}) {
@@ -203,7 +145,7 @@ TEST_CASE("physics: a free leapfrog body keeps its energy over 1e5 steps, its an
 TEST_CASE(
     "physics: a free body under rotor splitting keeps its angular momentum in space to rounding, its energy "
     "within bounds") {
-  for (const ExactRotor* exact : {&asymmetric, &rod}) {
+  for (const FreeRotor* exact : {&asymmetric, &rod}) {
     for (const double dt : {0.02, 0.2}) {
       Rotor<RotorSplitting> rotor{*exact};
       const double energy = rotor.energy(), momentum = exact->momentum().norm();

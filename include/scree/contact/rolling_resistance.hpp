@@ -44,6 +44,9 @@ struct RollingResistance {
     history[2] = kept.z;
     const auto some = stiffness > T(0);
     frictional_work += select(some, dot(kept, trial - kept) / select(some, stiffness, T(1)), T(0));
+    if (damping == 0.0) {
+      return kept;
+    }
     const T inertia = T(1.4) * k.reduced_mass * k.reduced_radius * k.reduced_radius;
     const T dashpot = select(over, T(0), T(2.0 * damping) * square_root(inertia * stiffness));
     frictional_work += dashpot * squared_norm(rolling) * k.dt;

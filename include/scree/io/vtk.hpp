@@ -11,6 +11,7 @@
 #include "scree/core/linear.hpp"
 #include "scree/io/atomic_file.hpp"
 #include "scree/io/number_text.hpp"
+#include "scree/io/xml_text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -36,29 +37,6 @@ struct VtkArray {
 };
 
 namespace detail {
-
-inline std::string xml_escaped(std::string_view text) {
-  std::string escaped;
-  for (const char c : text) {
-    switch (c) {
-    case '&':
-      escaped += "&amp;";
-      break;
-    case '<':
-      escaped += "&lt;";
-      break;
-    case '>':
-      escaped += "&gt;";
-      break;
-    case '"':
-      escaped += "&quot;";
-      break;
-    default:
-      escaped += c;
-    }
-  }
-  return escaped;
-}
 
 /// Collects the two parts of a .vtp file: the XML that describes its arrays, and their bytes.
 class VtpDocument {
@@ -229,7 +207,7 @@ public:
     const auto folder = std::filesystem::absolute(file_).parent_path();
     const auto relative = std::filesystem::absolute(data).lexically_relative(folder).generic_string();
     entries_ += message("<DataSet timestep=\"", number_text(time), "\" part=\"", part, "\" file=\"",
-                        detail::xml_escaped(relative), "\"/>\n");
+                        xml_escaped(relative), "\"/>\n");
     write();
   }
 

@@ -149,12 +149,13 @@ Unrest come_to_rest(Simulation& simulation, const BedRecipe& recipe, const Unres
 
 } // namespace detail
 
-/// Shakes the bed without friction until `measured()` reaches the porosity `target`, and stops all grains
-/// there, as in motion they would pack on while friction takes hold.
+/// Shakes the bed without friction until `measured()` reaches the porosity `target` or the patience is over,
+/// and stops all grains there, as in motion they would pack on while friction takes hold. Returns whether the
+/// target was reached.
 /// \param target not below that of the recipe
-/// \throws Error where it cannot be reached.
+/// \throws Error where what it came to is beyond the recipe's tolerance of the porosity requested.
 template <class Simulation, class Measured, class Watch>
-void densify(Simulation& simulation, MaterialId rock, const BedRecipe& recipe, double target,
+bool densify(Simulation& simulation, MaterialId rock, const BedRecipe& recipe, double target,
              const Measured& measured, Watch& watch) {
   const Material material = simulation.materials().at(rock);
   const Vector gravity = simulation.setup().gravity;
@@ -184,10 +185,11 @@ void densify(Simulation& simulation, MaterialId rock, const BedRecipe& recipe, d
   simulation.set_gravity(gravity);
   simulation.change_material(rock, material);
   detail::stop_all(simulation);
-  if (porosity > target + recipe.porosity_tolerance) {
+  if (porosity > target && porosity > recipe.porosity + recipe.porosity_tolerance) {
     throw Error(message("bed porosity = ", recipe.porosity, " is denser than this material packs: it allows ",
                         densest, " to ", loosest));
   }
+  return porosity <= target;
 }
 
 /// Pours grains of `assembly` into `bed`, lets them come to rest, makes them denser where a porosity is
@@ -243,12 +245,15 @@ BedReport settle_bed(Simulation& simulation, const BedContainer& bed, const Asse
                           report.porosity, " (friction ", simulation.materials().at(rock).friction, ")"));
     }
     stage = {"densifying", 0.6};
-    while (report.porosity > recipe.porosity + 0.5 * recipe.porosity_tolerance) {
+    bool denser = true;
+    while (denser && report.porosity > recipe.porosity + 0.5 * recipe.porosity_tolerance) {
       // Grains pack on while friction takes hold again: the last third of the way is left to them.
       const double target = recipe.porosity + (report.porosity - recipe.porosity) / 3.0;
-      densify(simulation, rock, recipe, target, measured, observe);
+      denser = densify(simulation, rock, recipe, target, measured, observe);
       detail::come_to_rest(simulation, recipe, {recipe.rest, 1.0}, 0.02, observe);
-      report.porosity = measured();
+      const double now = measured();
+      denser = denser && now < report.porosity;
+      report.porosity = now;
     }
   }
 

@@ -8,6 +8,12 @@
 
 namespace validation {
 
+/// The default model with another law.
+template <class Law>
+struct With : scree::DefaultModel {
+  using Contact = Law;
+};
+
 template <class Law>
 inline constexpr const char* law_name = "";
 template <class... Extensions>
