@@ -38,10 +38,14 @@ public:
     evaluate(i, j, dt);
   }
   /// Moves the spheres to new places as one rigid body that turns at `spin` [rad/s] about the origin.
-  /// Velocities are those of the new places, so that there is no slip whatever the step.
+  /// Velocities are those of the places half a step back, so that there is no slip whatever the step.
   void move_rigidly(const Vector& i, const Vector& j, const Vector& spin, double dt) {
-    i_.velocity = to_vec3(Vector(spin.cross(i)));
-    j_.velocity = to_vec3(Vector(spin.cross(j)));
+    Matrix turning;
+    turning << 0.0, -spin.z(), spin.y(), spin.z(), 0.0, -spin.x(), -spin.y(), spin.x(), 0.0;
+    // v = spin x (place - dt / 2 v)
+    const Matrix halfway = (Matrix::Identity() + 0.5 * dt * turning).inverse() * turning;
+    i_.velocity = to_vec3(Vector(halfway * i));
+    j_.velocity = to_vec3(Vector(halfway * j));
     i_.angular_velocity = j_.angular_velocity = to_vec3(spin);
     evaluate(i, j, dt);
   }
