@@ -354,7 +354,7 @@ TEST_CASE("physics: a bed of clumps comes to rest at the critical step") {
     plane(low, Vector::UnitZ());
     plane(high, -Vector::UnitX());
     plane(high, -Vector::UnitY());
-    run_for(sim, 1.5);
+    run_for(sim, 3.0); // one in some twenty such beds has a stone that rocks for more than half of it
     CHECK(kinetic_energy(sim) < 1e-9);
   }
 }

@@ -73,8 +73,8 @@ void find_wall_candidates(const Block& block, const Bodies<Real>& bodies, std::s
   }
 }
 
-/// m/s, of a sphere relative to a wall at their contact, whose normal tilted by `tilt` [rad] in a step of `dt`
-/// [s]. Velocities stand half a step behind, so the arms are those of half a step ago.
+/// m/s, of a sphere relative to a wall at their contact, whose normal tilted by `tilt` [rad] in a step of
+/// `dt` [s]. Velocities stand half a step behind, so the arms are those of half a step ago.
 /// \param arm m, from the centre of the sphere to the contact point
 template <class Real>
 Vector slip_velocity(const SphereRecord<Real>& sphere, const WallMotion& wall, const Vector& normal,
@@ -82,7 +82,8 @@ Vector slip_velocity(const SphereRecord<Real>& sphere, const WallMotion& wall, c
   const Vector past_arm = -arm * (normal - 0.5 * tilt.cross(normal));
   const Vector between = to_eigen(sphere.velocity) - wall.velocity; // of centre and wall
   const Vector past_lever = to_eigen(sphere.position) - wall.position - 0.5 * dt * between + past_arm;
-  return between + to_eigen(sphere.angular_velocity).cross(past_arm) - wall.angular_velocity.cross(past_lever);
+  return between + to_eigen(sphere.angular_velocity).cross(past_arm) -
+         wall.angular_velocity.cross(past_lever);
 }
 
 /// Adds the forces of the walls to the spheres of a block, and what the walls feel to `sums` (one for each
