@@ -78,6 +78,9 @@ TEST_CASE("the spring of a wall contact turns with the wall, about any axis") {
     MESSAGE("turned by 2.5 rad about " << axis.transpose() << ": force in the frame of the wall "
                                        << force.transpose());
     // In the frame of the wall it still points back along x.
-    CHECK((force + Vector::UnitX()).norm() < 1e-3);
+    // Second order of the step: the velocity is that of a chord, shorter than the arc by a^3 / 6 in a step of
+    // a.
+    const double a = rate * dt;
+    CHECK((force + Vector::UnitX()).norm() < 1.05 * angle * radius / slip * a * a / 6.0);
   }
 }

@@ -74,16 +74,28 @@ void find_wall_candidates(const Block& block, const Bodies<Real>& bodies, std::s
 }
 
 /// m/s, of a sphere relative to a wall at their contact, whose normal tilted by `tilt` [rad] in a step of
-/// `dt` [s]. Velocities stand half a step behind, so the arms are those of half a step ago.
+/// `dt` [s]. Velocities stand half a step behind, so slip is the mean of that at the place where the contact
+/// is and at the one that it came from. (Not that at a place halfway: from facet to facet there is none.)
 /// \param arm m, from the centre of the sphere to the contact point
 template <class Real>
 Vector slip_velocity(const SphereRecord<Real>& sphere, const WallMotion& wall, const Vector& normal,
                      const Vector& tilt, double arm, double dt) {
-  const Vector past_arm = -arm * (normal - 0.5 * tilt.cross(normal));
   const Vector between = to_eigen(sphere.velocity) - wall.velocity; // of centre and wall
-  const Vector past_lever = to_eigen(sphere.position) - wall.position - 0.5 * dt * between + past_arm;
-  return between + to_eigen(sphere.angular_velocity).cross(past_arm) -
-         wall.angular_velocity.cross(past_lever);
+  const Vector spin = to_eigen(sphere.angular_velocity);
+  const auto at = [&](const Vector& n, const Vector& lever) {
+    return Vector(between - arm * spin.cross(n) - wall.angular_velocity.cross(lever - arm * n));
+  };
+  const Vector lever = to_eigen(sphere.position) - wall.position;
+  const Vector now = at(normal, lever);
+  if (tilt.isZero(0.0) && wall.angular_velocity.isZero(0.0)) {
+    return now;
+  }
+  const auto along = [](const Vector& velocity, const Vector& n) {
+    return Vector(velocity - n.dot(velocity) * n);
+  };
+  const Vector before_normal = normal - tilt.cross(normal);
+  const Vector before = along(at(before_normal, lever - dt * between), before_normal);
+  return now + 0.5 * (before + tilt.cross(before) - along(now, normal));
 }
 
 /// Adds the forces of the walls to the spheres of a block, and what the walls feel to `sums` (one for each
