@@ -1,6 +1,8 @@
 /// \file
 /// What nearly every test includes, read by the compiler once.
 
+#include "scree/simulation/simulation.hpp"
+
 #include <Eigen/Dense>
 #include <doctest/doctest.h>
 
@@ -20,3 +22,6 @@
 #include <string>
 #include <string_view>
 #include <vector>
+
+// Compiled once, in support/default_simulation.cpp.
+extern template class scree::Simulation<>;

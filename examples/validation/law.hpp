@@ -6,13 +6,18 @@
 #include "scree/contact/linear_spring.hpp"
 #include "scree/simulation/model.hpp"
 
+#include <type_traits>
+
 namespace validation {
 
-/// The default model with another law.
 template <class Law>
-struct With : scree::DefaultModel {
+struct WithLaw : scree::DefaultModel {
   using Contact = Law;
 };
+/// The default model with another law.
+template <class Law>
+using With =
+    std::conditional_t<std::is_same_v<Law, scree::DefaultModel::Contact>, scree::DefaultModel, WithLaw<Law>>;
 
 template <class Law>
 inline constexpr const char* law_name = "";

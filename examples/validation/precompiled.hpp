@@ -1,8 +1,9 @@
 /// \file
 /// What nearly every case includes, read by the compiler once.
 
-#include "scree/contact/hertz_mindlin.hpp"
-#include "scree/contact/linear_spring.hpp"
+#include "ball_bed.hpp"
+#include "law.hpp"
+
 #include "scree/simulation/run.hpp"
 #include "scree/simulation/simulation.hpp"
 
@@ -13,3 +14,8 @@
 #include <functional>
 #include <string>
 #include <vector>
+
+// Compiled once, in simulations.cpp.
+extern template class scree::Simulation<>;
+extern template class scree::Simulation<validation::With<scree::HertzMindlin<>>>;
+extern template class scree::Simulation<validation::Quiet>;

@@ -2,8 +2,6 @@
 /// \file
 /// Means and what they are worth.
 
-#include <boost/math/distributions/students_t.hpp>
-
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -32,10 +30,7 @@ struct Mean {
   [[nodiscard]] double margin(double level) const { return student(count - 1, level) * error; }
 
   /// Student's t of both sides.
-  [[nodiscard]] static double student(std::size_t freedom, double level) {
-    const boost::math::students_t distribution{static_cast<double>(freedom)};
-    return boost::math::quantile(distribution, 0.5 * (1.0 + level));
-  }
+  [[nodiscard]] static double student(std::size_t freedom, double level);
 };
 
 /// How far two means of the same may be apart, with the confidence `level`: Student's t times the standard

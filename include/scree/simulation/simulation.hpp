@@ -47,6 +47,10 @@ struct StepTimes {
 ///     scree::run_for(simulation, 1.0);
 ///
 /// Same input, same bits, for any number of threads and any neighbour search.
+///
+/// A simulation type takes its time to compile. Where several sources use one, a header of theirs says
+/// `extern template class scree::Simulation<Model>;` and one source `template class
+/// scree::Simulation<Model>;`.
 template <class Model = DefaultModel>
 class Simulation {
   static_assert(detail::ModelCheck<Model>::holds);
@@ -98,14 +102,7 @@ public:
     bool fixed = false;
   };
   /// Adds one body and returns its id.
-  std::uint64_t add(const BodySetup& b) {
-    if (b.clump == nullptr) {
-      throw Error("a body needs a clump for its shape");
-    }
-    bodies_changed();
-    return bodies_.add({b.clump, b.scale, materials_.at(b.material).density, b.material, b.position,
-                        b.orientation, b.velocity, b.angular_velocity, b.fixed});
-  }
+  std::uint64_t add(const BodySetup& b);
   /// Adds all bodies of a packing.
   void add(const Packing& packing) {
     for (const PackedBody& b : packing.bodies) {
@@ -181,37 +178,7 @@ public:
   /// Advances everything by one time step.
   /// \throws Error for a time step above the stable one, a law that lacks a material's constant, or a body
   /// whose position or velocity is not a number.
-  void step() {
-    if (!started_) {
-      start();
-    }
-    if (!limit_known_) {
-      check_step();
-    }
-    const auto t0 = Clock::now();
-    keep_lists();
-    const auto t1 = Clock::now();
-    // Velocities given at the start stand at the step itself; the first kick takes them half a step on.
-    const TimeStep now{time_, dt_, half_kick_ ? 0.5 * dt_ : dt_, setup_.gravity};
-    workers_.for_each(lists_.blocks().size(), [&](std::size_t b) { compute_forces(b); });
-    const auto t2 = Clock::now();
-    workers_.for_each(lists_.blocks().size(), [&](std::size_t b) { move(b, now); });
-    const auto t3 = Clock::now();
-    const double fastest = gather(now);
-    for (WallBody& wall : walls_) {
-      std::visit([&](auto& dynamics) { dynamics.advance(wall.motion, wall.load, now); }, wall.dynamics);
-    }
-    lists_.note_travel(fastest * dt_ * 1.01, wall_speed() * dt_); // 1 %: the arc of a turning member sphere
-    half_kick_ = false;
-    ++steps_;
-    time_ = start_time_ + static_cast<double>(steps_ - start_steps_) * dt_;
-    const auto t4 = Clock::now();
-    const auto seconds = [](auto from, auto to) { return std::chrono::duration<double>(to - from).count(); };
-    times_.search += seconds(t0, t1);
-    times_.forces += seconds(t1, t2);
-    times_.motion += seconds(t2, t3);
-    times_.walls += seconds(t3, t4);
-  }
+  void step();
 
   /// s; the one given, or the stable one.
   /// \throws Error as `step` does.
@@ -222,10 +189,7 @@ public:
     return dt_;
   }
   /// The critical time step of what is there now and the pair or rope that sets it.
-  [[nodiscard]] StepLimit step_limit() const {
-    return scree::step_limit(bodies_, walls(), materials_, setup_.contact, setup_.top_speed,
-                             lists_.near_walls());
-  }
+  [[nodiscard]] StepLimit step_limit() const;
 
   // ---- observing ----
 
@@ -503,5 +467,40 @@ private:
   Dissipation lost_;
   StepTimes times_;
 };
+
+// Outside of the class and so not inline: nearly all that a compiler has to do for a simulation type hangs on
+// it.
+template <class Model>
+void Simulation<Model>::step() {
+  if (!started_) {
+    start();
+  }
+  if (!limit_known_) {
+    check_step();
+  }
+  const auto t0 = Clock::now();
+  keep_lists();
+  const auto t1 = Clock::now();
+  // Velocities given at the start stand at the step itself; the first kick takes them half a step on.
+  const TimeStep now{time_, dt_, half_kick_ ? 0.5 * dt_ : dt_, setup_.gravity};
+  workers_.for_each(lists_.blocks().size(), [&](std::size_t b) { compute_forces(b); });
+  const auto t2 = Clock::now();
+  workers_.for_each(lists_.blocks().size(), [&](std::size_t b) { move(b, now); });
+  const auto t3 = Clock::now();
+  const double fastest = gather(now);
+  for (WallBody& wall : walls_) {
+    std::visit([&](auto& dynamics) { dynamics.advance(wall.motion, wall.load, now); }, wall.dynamics);
+  }
+  lists_.note_travel(fastest * dt_ * 1.01, wall_speed() * dt_); // 1 %: the arc of a turning member sphere
+  half_kick_ = false;
+  ++steps_;
+  time_ = start_time_ + static_cast<double>(steps_ - start_steps_) * dt_;
+  const auto t4 = Clock::now();
+  const auto seconds = [](auto from, auto to) { return std::chrono::duration<double>(to - from).count(); };
+  times_.search += seconds(t0, t1);
+  times_.forces += seconds(t1, t2);
+  times_.motion += seconds(t2, t3);
+  times_.walls += seconds(t3, t4);
+}
 
 } // namespace scree
