@@ -468,8 +468,24 @@ private:
   StepTimes times_;
 };
 
-// Outside of the class and so not inline: nearly all that a compiler has to do for a simulation type hangs on
-// it.
+// Outside of the class and so not inline: nearly all that a compiler has to do for a simulation type.
+
+template <class Model>
+std::uint64_t Simulation<Model>::add(const BodySetup& b) {
+  if (b.clump == nullptr) {
+    throw Error("a body needs a clump for its shape");
+  }
+  bodies_changed();
+  return bodies_.add({b.clump, b.scale, materials_.at(b.material).density, b.material, b.position,
+                      b.orientation, b.velocity, b.angular_velocity, b.fixed});
+}
+
+template <class Model>
+StepLimit Simulation<Model>::step_limit() const {
+  return scree::step_limit(bodies_, walls(), materials_, setup_.contact, setup_.top_speed,
+                           lists_.near_walls());
+}
+
 template <class Model>
 void Simulation<Model>::step() {
   if (!started_) {
