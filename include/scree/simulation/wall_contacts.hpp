@@ -86,7 +86,7 @@ Vector slip_velocity(const SphereRecord<Real>& sphere, const WallMotion& wall, c
     return Vector(between - arm * spin.cross(n) - wall.angular_velocity.cross(lever - arm * n));
   };
   const Vector lever = to_eigen(sphere.position) - wall.position;
-  const Vector now = at(normal, lever);
+  Vector now = at(normal, lever);
   if (tilt.isZero(0.0) && wall.angular_velocity.isZero(0.0)) {
     return now;
   }
