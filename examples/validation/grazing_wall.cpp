@@ -3,6 +3,7 @@
 /// what it lost is what friction and dashpots say they took.
 
 #include "cases.hpp"
+#include "degree.hpp"
 #include "impact.hpp"
 #include "law.hpp"
 
@@ -56,7 +57,7 @@ Balance meet(double angle, const scree::Vector& spin, double restitution, double
 template <class Law>
 void meet_by(Outcome& out) {
   constexpr int steps = 2000;
-  const double degree = std::numbers::pi / 180.0, w = speed / radius;
+  const double w = speed / radius;
   const std::vector<double> angles{0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 85.0, 89.0, 89.9};
   struct Spin {
     const char* name;

@@ -4,11 +4,11 @@
 
 #include "incline.hpp"
 #include "cases.hpp"
+#include "degree.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <vector>
 
@@ -20,7 +20,7 @@ using namespace incline;
 
 template <class Law>
 void sphere_by(Outcome& out) {
-  constexpr double mu = 0.3, degree = std::numbers::pi / 180.0;
+  constexpr double mu = 0.3;
   const scree::Material material = stone(mu);
   const std::string name = fmt::format("sphere on an incline, mu {:g}, {}", mu, law_name<Law>);
   const double most = Incline<Law>{material, ball}.overlap(material, 0.0) / radius;

@@ -2,14 +2,12 @@
 /// \file
 /// What an oblique impact of a sphere on a plane comes to.
 
+#include "degree.hpp"
 #include "impact.hpp"
 
 #include <cmath>
-#include <numbers>
 
 namespace validation {
-
-inline constexpr double degree = std::numbers::pi / 180.0;
 
 /// The spheres of Kharaz, Gorham & Salman (2001), by Chung & Ooi (2011), table 2.
 namespace kharaz {

@@ -2,6 +2,7 @@
 /// \file
 /// The shearing of a triaxial sample, its readings, and what is told from them.
 
+#include "degree.hpp"
 #include "scatter.hpp"
 #include "triaxial_press.hpp"
 
@@ -9,13 +10,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <vector>
 
 namespace validation::drained {
 
-constexpr double degree = std::numbers::pi / 180.0;
 /// True axial strains: of the whole test, from which on the state counts as critical, between two readings,
 /// and on both sides of a reading that is smoothed. Ours.
 constexpr double end_strain = 0.40, critical_from = 0.27, reading = 1e-3, window = 0.01;

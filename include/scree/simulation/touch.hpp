@@ -39,7 +39,8 @@ template <class T>
   const T distance = square_root(s.squared_distance);
   Touch<T> out;
   Kinematics<T>& k = out.kinematics;
-  k.normal = s.apart * (distance * inverse_square);
+  const T inverse = distance * inverse_square;
+  k.normal = s.apart * inverse;
   k.overlap = s.closeness / (s.reach + distance);
   out.arm_i = T(0.5) * (distance + s.difference);
   out.arm_j = T(0.5) * (distance - s.difference);
@@ -51,7 +52,7 @@ template <class T>
   const Vec3<T> rim = (s.spin_i - s.spin_j) * (T(0.5) * s.difference) + spins * (T(0.5) * distance);
   // Velocities stand half a step behind, so the arms are those of half a step ago: with the present ones, a
   // pair that turns as one body would seem to slip.
-  const Vec3<T> past_normal = (s.apart - velocity * (T(0.5) * dt)) * (distance * inverse_square);
+  const Vec3<T> past_normal = (s.apart - velocity * (T(0.5) * dt)) * inverse;
   k.velocity = velocity - cross(rim, past_normal);
   // The normal tilts as the centres pass each other; about it the contact turns with the mean spin.
   k.turn = (cross(s.apart, velocity) + s.apart * (T(0.5) * dot(spins, s.apart))) * (inverse_square * dt);

@@ -154,7 +154,9 @@ void add_wall_forces(const Law& law, const PairMaterials& pair_material, std::sp
       }
       if (match != old_end) {
         now.history = match->history;
-        tilt = match->normal.cross(normal);
+        if (match->normal != normal) { // on one facet it stays the same to the bit
+          tilt = match->normal.cross(normal);
+        }
         match->at.setConstant(std::numeric_limits<double>::infinity()); // taken
       }
       now.normal = normal;
