@@ -32,32 +32,46 @@ struct Trend {
   }
 };
 
-/// A straight line y = intercept + slope x through points with standard errors, by weighted least squares.
+/// A straight line y = intercept + slope x through scattered points. What each is in doubt by is known up to
+/// a common factor, which the scatter about the line gives.
 struct Fit {
-  double intercept = 0.0, slope = 0.0, slope_error = 0.0;
-  double middle = 0.0, at_middle = 0.0,
-         middle_error = 0.0; ///< there its error does not depend on the slope's
+  double slope = 0.0, slope_error = 0.0;
+  double root = 0.0, root_error = 0.0; ///< x where the line meets 0, by first-order propagation
+  std::size_t freedom = 0;             ///< of Student's t, for both errors
 
-  Fit(const std::vector<double>& x, const std::vector<double>& y, const std::vector<double>& error) {
-    double weight = 0.0, sxx = 0.0, sxy = 0.0;
+  /// \param doubt relative to each other
+  Fit(const std::vector<double>& x, const std::vector<double>& y, const std::vector<double>& doubt)
+      : freedom{x.size() - 2} {
+    // Line through the centre of weights: there, height and slope are independent.
+    double weight = 0.0, middle = 0.0, height = 0.0, sxx = 0.0, sxy = 0.0, residual = 0.0;
+    const auto w = [&](std::size_t k) { return 1.0 / (doubt[k] * doubt[k]); };
     for (std::size_t k = 0; k < x.size(); ++k) {
-      const double w = 1.0 / (error[k] * error[k]);
-      weight += w;
-      middle += w * x[k];
-      at_middle += w * y[k];
+      weight += w(k);
+      middle += w(k) * x[k];
+      height += w(k) * y[k];
     }
     middle /= weight;
-    at_middle /= weight;
+    height /= weight;
     for (std::size_t k = 0; k < x.size(); ++k) {
-      const double w = 1.0 / (error[k] * error[k]);
-      sxx += w * (x[k] - middle) * (x[k] - middle);
-      sxy += w * (x[k] - middle) * (y[k] - at_middle);
+      sxx += w(k) * (x[k] - middle) * (x[k] - middle);
+      sxy += w(k) * (x[k] - middle) * (y[k] - height);
     }
     slope = sxy / sxx;
-    slope_error = 1.0 / std::sqrt(sxx);
-    middle_error = 1.0 / std::sqrt(weight);
-    intercept = at_middle - slope * middle;
+    for (std::size_t k = 0; k < x.size(); ++k) {
+      const double off = y[k] - height - slope * (x[k] - middle);
+      residual += w(k) * off * off;
+    }
+    const double scale = std::sqrt(residual / static_cast<double>(freedom));
+    slope_error = scale / std::sqrt(sxx);
+    root = middle - height / slope;
+    root_error = std::hypot(scale / std::sqrt(weight) / slope, height * slope_error / (slope * slope));
   }
+
+  /// How far the true slope or root may be away, with the confidence `level`.
+  [[nodiscard]] double slope_margin(double level) const {
+    return Mean::student(freedom, level) * slope_error;
+  }
+  [[nodiscard]] double root_margin(double level) const { return Mean::student(freedom, level) * root_error; }
 };
 
 } // namespace validation
