@@ -53,6 +53,7 @@ Contacts<Law, Real> made_contacts(std::int64_t sliding) {
     k.spin_i = k.spin_j = to_vec3<Real>(Vector(0.01 * direction()));
     k.reduced_radius = Real(3.5e-3);
     k.reduced_mass = Real(1e-3);
+    k.root_mass = std::sqrt(k.reduced_mass);
     k.dt = Real(1e-5);
     out.kinematics.push_back(k);
     out.history.push_back({});

@@ -79,6 +79,7 @@ TEST_CASE("an extension changes the normal force before the friction limit is ta
   k.velocity = {1.0, 0, 0};
   k.reduced_radius = radius;
   k.reduced_mass = 0.01;
+  k.root_mass = 0.1;
   k.dt = 1e-4;
   std::array<double, 3> history{};
   const auto f = law.evaluate(pair, k, history);
@@ -101,6 +102,7 @@ TEST_CASE("an extension of null strength leaves the force as it is, to the bit")
     k.velocity = {0.3 * std::cos(0.2 * step), 0.1, 0.01};
     k.reduced_radius = radius;
     k.reduced_mass = 0.01;
+    k.root_mass = 0.1;
     k.dt = 1e-5;
     const auto f = LinearSpring<>{}.evaluate(pair, k, a);
     const auto g = LinearSpring<Adhesion>{}.evaluate(pair, k, b);

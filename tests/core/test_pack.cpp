@@ -4,7 +4,9 @@
 #include <doctest/doctest.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace {
 
@@ -41,7 +43,30 @@ void check_lanes(const char* name, const Numbers<Real>& a, const Numbers<Real>& 
   }
 }
 
+/// Of a reciprocal, in units of the last place.
+template <class Real>
+Real ulps(Real a, Real exact) {
+  return std::abs(a / exact - Real(1)) / std::numeric_limits<Real>::epsilon();
+}
+
 } // namespace
+
+TEST_CASE_TEMPLATE("the reciprocals of a pack are within two units of the last place", Real, double, float) {
+  Random random{18};
+  for (int repeat = 0; repeat < 500; ++repeat) {
+    Numbers<Real> a{};
+    for (Real& value : a) {
+      value = static_cast<Real>(std::exp(random.uniform(-40.0, 40.0)));
+    }
+    const auto pack = Pack<Real>::loaded(a.data());
+    const auto inverse = taken_apart(reciprocal(pack)), root = taken_apart(reciprocal_square_root(pack));
+    for (std::size_t lane = 0; lane < a.size(); ++lane) {
+      CAPTURE(a[lane]);
+      REQUIRE(ulps(inverse[lane], reciprocal(a[lane])) <= 2);
+      REQUIRE(ulps(root[lane], reciprocal_square_root(a[lane])) <= 2);
+    }
+  }
+}
 
 TEST_CASE_TEMPLATE("a pack computes in each lane what the plain number does", Real, double, float) {
   Random random{17};

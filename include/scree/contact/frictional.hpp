@@ -182,12 +182,13 @@ public:
     const auto sliding = wanted2 > limit * limit;
     Vec3<T> tangential = wanted, kept = trial;
     if (any(sliding)) {
-      tangential = wanted * select(sliding, limit / square_root(select(sliding, wanted2, T(1))), T(1));
+      tangential =
+          wanted * select(sliding, limit * reciprocal_square_root(select(sliding, wanted2, T(1))), T(1));
     }
     const T trial2 = squared_norm(trial);
     const auto yielding = trial2 > limit * limit;
     if (any(yielding)) {
-      kept = trial * select(yielding, limit / square_root(select(yielding, trial2, T(1))), T(1));
+      kept = trial * select(yielding, limit * reciprocal_square_root(select(yielding, trial2, T(1))), T(1));
     }
     out.tangential = tangential;
     history[0] = kept.x;

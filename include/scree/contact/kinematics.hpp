@@ -20,6 +20,7 @@ struct Kinematics {
   Vec3<T> turn;     ///< rad, by which the contact has turned since the history was last written
   T reduced_radius; ///< m, r_i r_j / (r_i + r_j)
   T reduced_mass;   ///< kg, m_i m_j / (m_i + m_j)
+  T root_mass;      ///< sqrt(kg), its square root
   T dt;             ///< s, since the history was last written
 };
 

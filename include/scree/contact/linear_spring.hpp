@@ -33,13 +33,12 @@ struct LinearModel {
   template <class T>
   static SpringDashpot<T> evaluate(const PairMaterial<T>& pair, const Kinematics<T>& k, Vec3<T>&,
                                    std::span<T, 0>) {
-    const T root_mass = square_root(k.reduced_mass);
     return {pair.normal_stiffness * k.overlap,
             pair.normal_stiffness,
             pair.shear_stiffness,
             pair.inverse_shear_stiffness,
-            pair.normal_damping_coefficient * root_mass + pair.normal_damping_rate * k.reduced_mass,
-            pair.shear_damping_coefficient * root_mass + pair.shear_damping_rate * k.reduced_mass};
+            pair.normal_damping_coefficient * k.root_mass + pair.normal_damping_rate * k.reduced_mass,
+            pair.shear_damping_coefficient * k.root_mass + pair.shear_damping_rate * k.reduced_mass};
   }
 };
 

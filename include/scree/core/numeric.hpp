@@ -29,4 +29,14 @@ T square_root(T a) {
   return std::sqrt(a);
 }
 
+template <std::floating_point T>
+constexpr T reciprocal(T a) {
+  return T{1} / a;
+}
+
+template <std::floating_point T>
+T reciprocal_square_root(T a) {
+  return T{1} / std::sqrt(a);
+}
+
 } // namespace scree

@@ -5,39 +5,162 @@
 
 #include "scree/core/numeric.hpp"
 
+#include <cmath>
 #include <concepts>
 #include <cstddef>
-#include <experimental/simd>
+#include <cstdint>
+#include <cstring>
 #include <type_traits>
+#include <utility>
+
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
 
 namespace scree {
 
+namespace detail {
+
+/// `n` numbers as GCC and clang know them.
+template <class Real, std::size_t n>
+struct VectorOf {
+  // NOLINTNEXTLINE(modernize-use-using): clang 14 takes the attribute of a dependent size only here
+  typedef Real type __attribute__((vector_size(n * sizeof(Real))));
+};
+
+/// `n` numbers that start at any number in memory.
+template <class Real, std::size_t n>
+struct LooseVectorOf {
+  // NOLINTNEXTLINE(modernize-use-using)
+  typedef Real type __attribute__((vector_size(n * sizeof(Real)), aligned(alignof(Real)), may_alias));
+};
+
+#if defined(__AVX512F__) && defined(__AVX512DQ__)
+inline constexpr std::size_t register_bytes = 64;
+inline constexpr bool has_estimates = true; // of 14 bits
+inline auto roots(__m512d a) {
+  return _mm512_maskz_sqrt_pd(0xFF, a);
+}
+inline auto roots(__m512 a) {
+  return _mm512_maskz_sqrt_ps(0xFFFF, a);
+}
+inline auto reciprocal_estimate(__m512d a) {
+  return _mm512_maskz_rcp14_pd(0xFF, a);
+}
+inline auto reciprocal_estimate(__m512 a) {
+  return _mm512_maskz_rcp14_ps(0xFFFF, a);
+}
+inline auto root_estimate(__m512d a) {
+  return _mm512_maskz_rsqrt14_pd(0xFF, a);
+}
+inline auto root_estimate(__m512 a) {
+  return _mm512_maskz_rsqrt14_ps(0xFFFF, a);
+}
+inline auto below(__m512d a, __m512d b) {
+  return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ);
+}
+inline auto below(__m512 a, __m512 b) {
+  return _mm512_cmp_ps_mask(a, b, _CMP_LT_OQ);
+}
+inline auto chosen(__mmask8 m, __m512d yes, __m512d no) {
+  return _mm512_mask_blend_pd(m, no, yes);
+}
+inline auto chosen(__mmask16 m, __m512 yes, __m512 no) {
+  return _mm512_mask_blend_ps(m, no, yes);
+}
+template <class Mask>
+bool any_bit(const Mask& m) {
+  return m != 0;
+}
+#else
+inline constexpr bool has_estimates = false;
+template <class Vector>
+Vector reciprocal_estimate(const Vector&) = delete;
+template <class Vector>
+Vector root_estimate(const Vector&) = delete;
+#if defined(__AVX__)
+inline constexpr std::size_t register_bytes = 32;
+inline auto roots(__m256d a) {
+  return _mm256_sqrt_pd(a);
+}
+inline auto roots(__m256 a) {
+  return _mm256_sqrt_ps(a);
+}
+#elif defined(__SSE2__)
+inline constexpr std::size_t register_bytes = 16;
+inline auto roots(__m128d a) {
+  return _mm_sqrt_pd(a);
+}
+inline auto roots(__m128 a) {
+  return _mm_sqrt_ps(a);
+}
+#else
+inline constexpr std::size_t register_bytes = 16;
+template <class Vector>
+Vector roots(Vector a) {
+  for (std::size_t lane = 0; lane < sizeof a / sizeof a[0]; ++lane) {
+    a[lane] = std::sqrt(a[lane]);
+  }
+  return a;
+}
+#endif
+template <class Vector>
+auto below(const Vector& a, const Vector& b) {
+  return a < b;
+}
+template <class Mask, class Vector>
+Vector chosen(const Mask& m, const Vector& yes, const Vector& no) {
+  return m ? yes : no;
+}
+template <class Mask>
+bool any_bit(const Mask& m) {
+  std::uint64_t bits = 0;
+  for (std::size_t word = 0; word < sizeof m / sizeof bits; ++word) {
+    bits |= reinterpret_cast<typename VectorOf<std::uint64_t, sizeof(Mask) / 8>::type>(m)[word];
+  }
+  return bits != 0;
+}
+#endif
+
+template <class Vector, std::size_t... k>
+auto joined(const Vector& a, const Vector& b, std::index_sequence<k...>) {
+  return __builtin_shufflevector(a, b, static_cast<int>(k)...);
+}
+
+} // namespace detail
+
 /// Arithmetic, comparison and the operations of core/numeric.hpp, in each lane with the rounding of the plain
-/// number. A number converts explicitly; all lanes then hold it.
+/// number, but for the reciprocals: where the machine has a fast estimate of them (AVX-512) they may be off
+/// by two units in the last place. A number converts explicitly; all lanes then hold it.
 template <std::floating_point Real>
 class Pack {
-  using Register = std::experimental::native_simd<Real>;
-
 public:
-  static constexpr std::size_t width = Register::size();
+  static constexpr std::size_t width = detail::register_bytes / sizeof(Real);
+  using Native = typename detail::VectorOf<Real, width>::type;
 
   /// For each lane whether a condition holds.
   struct Mask {
-    typename Register::mask_type lanes;
-    friend bool any(const Mask& m) { return any_of(m.lanes); }
+    decltype(detail::below(Native{}, Native{})) lanes;
+    friend bool any(const Mask& m) { return detail::any_bit(m.lanes); }
+    friend Mask operator&&(const Mask& a, const Mask& b) {
+      return {static_cast<decltype(a.lanes)>(a.lanes & b.lanes)};
+    }
   };
 
-  Pack() : lanes_{Real{0}} {}
+  Pack() = default;
   template <class Number>
   requires std::is_arithmetic_v<Number>
-  explicit Pack(Number value) : lanes_{static_cast<Real>(value)} {}
+  explicit Pack(Number value) : lanes_{static_cast<Real>(value) - Native{}} {}
+  explicit Pack(const Native& lanes) : lanes_{lanes} {}
+  [[nodiscard]] const Native& native() const { return lanes_; }
   /// The lanes value(0), value(1), ...
   template <class Value>
   static Pack generated(Value value) {
-    return Pack{Register{[&](auto lane) { return value(std::size_t{lane}); }}};
+    return generated(value, std::make_index_sequence<width>{});
   }
-  static Pack loaded(const Real* from) { return Pack{Register{from, std::experimental::element_aligned}}; }
-  void store(Real* to) const { lanes_.copy_to(to, std::experimental::element_aligned); }
+  static Pack loaded(const Real* from) { return Pack{Native(*reinterpret_cast<const Loose*>(from))}; }
+  [[nodiscard]] Real operator[](std::size_t lane) const { return lanes_[lane]; }
+  void store(Real* to) const { *reinterpret_cast<Loose*>(to) = lanes_; }
 
   friend Pack operator+(const Pack& a, const Pack& b) { return Pack{a.lanes_ + b.lanes_}; }
   friend Pack operator-(const Pack& a, const Pack& b) { return Pack{a.lanes_ - b.lanes_}; }
@@ -48,21 +171,59 @@ public:
   Pack& operator-=(const Pack& b) { return *this = *this - b; }
   Pack& operator*=(const Pack& b) { return *this = *this * b; }
 
-  friend Mask operator<(const Pack& a, const Pack& b) { return Mask{a.lanes_ < b.lanes_}; }
-  friend Mask operator>(const Pack& a, const Pack& b) { return Mask{a.lanes_ > b.lanes_}; }
+  friend Mask operator<(const Pack& a, const Pack& b) { return {detail::below(a.lanes_, b.lanes_)}; }
+  friend Mask operator>(const Pack& a, const Pack& b) { return {detail::below(b.lanes_, a.lanes_)}; }
 
-  friend Pack select(const Mask& condition, const Pack& yes, Pack no) {
-    where(condition.lanes, no.lanes_) = yes.lanes_;
-    return no;
+  friend Pack select(const Mask& condition, const Pack& yes, const Pack& no) {
+    return Pack{detail::chosen(condition.lanes, yes.lanes_, no.lanes_)};
   }
   friend Pack larger(const Pack& a, const Pack& b) { return select(a > b, a, b); }
-  friend Pack square_root(const Pack& a) { return Pack{sqrt(a.lanes_)}; }
+  friend Pack square_root(const Pack& a) { return Pack{detail::roots(a.lanes_)}; }
+  friend Pack reciprocal(const Pack& a) {
+    if constexpr (detail::has_estimates) {
+      Pack y{detail::reciprocal_estimate(a.lanes_)};
+      for (int k = 0; k < newton_steps; ++k) {
+        y = y + y * (Pack(1) - a * y);
+      }
+      return y;
+    } else {
+      return Pack(1) / a;
+    }
+  }
+  friend Pack reciprocal_square_root(const Pack& a) {
+    if constexpr (detail::has_estimates) {
+      Pack y{detail::root_estimate(a.lanes_)};
+      const Pack half = a * Pack(0.5);
+      for (int k = 0; k < newton_steps; ++k) {
+        y = y + y * (Pack(0.5) - (half * y) * y);
+      }
+      return y;
+    } else {
+      return Pack(1) / square_root(a);
+    }
+  }
 
 private:
-  explicit Pack(const Register& lanes) : lanes_{lanes} {}
+  // The good bits of an estimate double in each step of Newton's.
+  static constexpr int newton_steps = sizeof(Real) == 8 ? 2 : 1;
 
-  Register lanes_;
+  template <class Value, std::size_t... lane>
+  static Pack generated(Value value, std::index_sequence<lane...>) {
+    return Pack{Native{value(lane)...}};
+  }
+
+  using Loose = typename detail::LooseVectorOf<Real, width>::type;
+  Native lanes_{};
 };
+
+/// The lanes of two packs of double, one behind the other, in one of float.
+inline Pack<float> narrowed(const Pack<double>& a, const Pack<double>& b) {
+  static_assert(Pack<float>::width == 2 * Pack<double>::width);
+  using Half = typename detail::VectorOf<float, Pack<double>::width>::type;
+  return Pack<float>{detail::joined(__builtin_convertvector(a.native(), Half),
+                                    __builtin_convertvector(b.native(), Half),
+                                    std::make_index_sequence<Pack<float>::width>{})};
+}
 
 /// What a loop that is written once for packs and plain numbers asks of them.
 template <class T>
@@ -74,6 +235,9 @@ struct Lanes {
   }
   static T loaded(const T* from) { return *from; }
   static void store(const T& value, T* to) { *to = value; }
+  /// For each lane whether its number is below `count`.
+  static bool below(std::size_t count) { return count > 0; }
+  static T sum(const T& value) { return value; }
 };
 
 template <class Real>
@@ -85,6 +249,17 @@ struct Lanes<Pack<Real>> {
   }
   static Pack<Real> loaded(const Real* from) { return Pack<Real>::loaded(from); }
   static void store(const Pack<Real>& value, Real* to) { value.store(to); }
+  static auto below(std::size_t count) {
+    return Pack<Real>::generated([](std::size_t lane) { return static_cast<Real>(lane); }) <
+           Pack<Real>(count);
+  }
+  static Real sum(const Pack<Real>& value) {
+    Real out = 0;
+    for (std::size_t lane = 0; lane < width; ++lane) {
+      out += value[lane];
+    }
+    return out;
+  }
 };
 
 } // namespace scree

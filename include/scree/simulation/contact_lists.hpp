@@ -4,9 +4,11 @@
 
 #include "scree/core/error.hpp"
 #include "scree/simulation/domain.hpp"
+#include "scree/simulation/pair_loop.hpp"
 #include "scree/simulation/spatial_order.hpp"
 #include "scree/simulation/wall_contacts.hpp"
 #include "scree/state/blocks.hpp"
+#include "scree/state/contact_packs.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,24 +19,51 @@
 
 namespace scree {
 
-/// Lists with the histories of all contacts. They hold as long as nothing has moved further than half of the
-/// search's skin; everything that makes them anew is here.
+/// Two lists, one within the other. Pairs and wall candidates hold as long as nothing has moved further than
+/// half of the search's skin. Of those pairs, each block has in packs what touches or may do so within some
+/// steps, as they hold for half of a far smaller skin: most pairs of the list never touch. Everything that
+/// makes lists anew is here.
 template <class Real, ContactLaw Law, NeighbourSearch Search, class AnyWall>
 class ContactLists {
 public:
   static constexpr int history_size = Law::history_size;
   using Pairs = PairList<Real, history_size>;
   using OneWallBlock = WallBlock<Real, history_size>;
+  using Packs = ContactPacks<Real, history_size, Lanes<KernelNumber<Law, Real>>::width>;
+  /// The pairs whose first sphere is in a block.
+  struct BlockPairs {
+    Packs within;   ///< the second is in the block too
+    Packs crossing; ///< it is in another one
+    Packs wrapped;  ///< its periodic image is meant
+
+    [[nodiscard]] std::array<const Packs*, 3> all() const { return {&within, &crossing, &wrapped}; }
+  };
 
   ContactLists(Search search, std::size_t sort_interval)
       : search_{std::move(search)}, sort_interval_{sort_interval} {}
 
   [[nodiscard]] const Pairs& pairs() const { return pairs_; }
-  [[nodiscard]] Pairs& pairs() { return pairs_; }
+  /// Of all pairs, in their order.
+  [[nodiscard]] std::vector<typename Pairs::History> histories() const {
+    std::vector<typename Pairs::History> out(pairs_.size());
+    for (const BlockPairs& block : block_pairs_) {
+      for (const Packs* packs : block.all()) {
+        for (std::size_t k = 0; k < packs->size(); ++k) {
+          out[packs->pair(k).number] = packs->history(k);
+        }
+      }
+    }
+    return out;
+  }
+  [[nodiscard]] BlockPairs& block_pairs(std::size_t b) { return block_pairs_[b]; }
   [[nodiscard]] std::span<const Block> blocks() const { return blocks_; }
   [[nodiscard]] std::span<const OneWallBlock> wall_blocks() const { return wall_blocks_; }
   [[nodiscard]] OneWallBlock& wall_block(std::size_t b) { return wall_blocks_[b]; }
-  [[nodiscard]] std::span<ForceRecord<Real>> slots() { return slots_; }
+  /// Where the forces on the second spheres of crossing and wrapped pairs are laid down; those of one block.
+  [[nodiscard]] std::span<ForceRecord<Real>> slots(std::size_t b) {
+    return std::span{slots_}.subspan(blocks_[b].first_slot, slot_count(block_pairs_[b]));
+  }
+  [[nodiscard]] std::span<const ForceRecord<Real>> slots() const { return slots_; }
   /// For each wall, how many spheres touch it or may soon; empty before the lists were made.
   [[nodiscard]] std::span<const std::size_t> near_walls() const { return near_walls_; }
   [[nodiscard]] std::size_t renewals() const { return renewals_; }
@@ -45,6 +74,8 @@ public:
   /// Says how far grains and walls can have come in one step [m].
   void note_travel(double grains, double walls) {
     travel_ += grains;
+    pack_travel_ += grains;
+    step_travel_ = grains;
     wall_travel_ += walls;
   }
 
@@ -58,8 +89,13 @@ public:
     const bool wrap_now =
         domain.periodic() && (!valid_ || step % wrap_interval == 0) && domain.strayed(bodies);
     if (valid_ && !sort && !wrap_now && !outlived(bodies)) {
+      if (2.0 * pack_travel_ > pack_skin_) {
+        lay_histories_down(workers);
+        renew_packs(domain, bodies, workers);
+      }
       return false;
     }
+    lay_histories_down(workers);
     check_positions(bodies, time);
     if (wrap_now) {
       wrap(domain, bodies, walls);
@@ -69,8 +105,10 @@ public:
       sorted_at_ = step;
     }
     renew_pairs(domain, bodies, workers);
-    blocks_ = divided(bodies, pairs_, slot_count_);
-    slots_.resize(slot_count_);
+    blocks_ = divided(bodies);
+    block_pairs_.clear();
+    block_pairs_.resize(blocks_.size());
+    renew_packs(domain, bodies, workers);
     renew_wall_candidates(bodies, walls, workers);
     listed_at_.resize(bodies.sphere_count());
     for (std::size_t s = 0; s < listed_at_.size(); ++s) {
@@ -85,6 +123,8 @@ public:
   /// Puts the bodies of `order` in that order and drops the others; histories follow. The lists are no longer
   /// valid.
   void rearrange(std::span<const std::uint32_t> order, Bodies<Real>& bodies, Workers& workers) {
+    lay_histories_down(workers);
+    block_pairs_.clear();
     const std::vector<std::uint32_t> moved_to = bodies.rearrange(order);
     pairs_.rearrange(moved_to, bodies.sphere_count(), Law::history_parity, workers);
     std::vector<WallContact<Real, history_size>> contacts;
@@ -155,8 +195,8 @@ private:
 
   void renew_pairs(const Domain& domain, const Bodies<Real>& bodies, Workers& workers) {
     const auto spheres = bodies.spheres();
-    if (spheres.size() > Partner::most) {
-      throw Error(message("bodies: ", spheres.size(), " spheres are more than the ", Partner::most,
+    if (spheres.size() > Packs::most_spheres) {
+      throw Error(message("bodies: ", spheres.size(), " spheres are more than the ", Packs::most_spheres,
                           " that one simulation holds"));
     }
     balls_.resize(spheres.size());
@@ -189,6 +229,80 @@ private:
     }
   }
 
+  static std::size_t slot_count(const BlockPairs& pairs) {
+    return (pairs.crossing.pack_count() + pairs.wrapped.pack_count()) * Packs::lanes;
+  }
+
+  /// Brings the histories of the packs to the list of pairs.
+  void lay_histories_down(Workers& workers) {
+    workers.for_each(block_pairs_.size(), [&](std::size_t b) {
+      for (const Packs* packs : block_pairs_[b].all()) {
+        for (std::size_t k = 0; k < packs->size(); ++k) {
+          pairs_.history(packs->pair(k).number) = packs->history(k);
+        }
+      }
+    });
+  }
+
+  /// A larger skin brings more pairs that do not touch, a smaller one more renewals. Both cost the least
+  /// together where the skin is about the root of the list's skin times twice the way of a step: a renewal
+  /// looks at all pairs of the list, whose gaps are spread evenly over its skin.
+  [[nodiscard]] double pack_skin() const {
+    constexpr double least = 0.01; // of the list's skin, ours
+    return std::min(skin_, std::max(least * skin_, std::sqrt(1.5 * step_travel_ * skin_)));
+  }
+
+  void renew_packs(const Domain& domain, const Bodies<Real>& bodies, Workers& workers) {
+    pack_skin_ = pack_skin();
+    pack_travel_ = 0.0;
+    workers.for_each(blocks_.size(), [&](std::size_t b) { renew_packs(b, domain, bodies); });
+    std::size_t slots = 0;
+    for (Block& block : blocks_) {
+      block.incoming.clear();
+    }
+    for (std::size_t b = 0; b < blocks_.size(); ++b) {
+      blocks_[b].first_slot = slots;
+      for (const Packs* packs : {&block_pairs_[b].crossing, &block_pairs_[b].wrapped}) {
+        for (std::size_t k = 0; k < packs->size(); ++k) {
+          const std::uint32_t j = packs->pair(k).j;
+          blocks_[block_of(blocks_, j)].incoming.push_back({j, static_cast<std::uint32_t>(slots + k)});
+        }
+        slots += packs->pack_count() * Packs::lanes;
+      }
+    }
+    slots_.resize(slots);
+  }
+
+  void renew_packs(std::size_t b, const Domain& domain, const Bodies<Real>& bodies) {
+    const auto spheres = bodies.spheres();
+    const Block& block = blocks_[b];
+    BlockPairs& out = block_pairs_[b];
+    out.within.clear();
+    out.crossing.clear();
+    out.wrapped.clear();
+    for (std::size_t i = block.first_sphere; i < block.end_sphere; ++i) {
+      const SphereRecord<Real>& own = spheres[i];
+      for (std::size_t pair = pairs_.begin_of(i); pair < pairs_.begin_of(i + 1); ++pair) {
+        const Partner partner = pairs_.partner(pair);
+        const SphereRecord<Real>& other = spheres[partner.sphere];
+        const double reach = own.radius + other.radius + pack_skin_;
+        const Vec3<double> apart = own.position - other.position - domain.shift(partner.image);
+        if (squared_norm(apart) <= reach * reach) {
+          Packs& packs = partner.image != Partner::here      ? out.wrapped
+                         : partner.sphere < block.end_sphere ? out.within
+                                                             : out.crossing;
+          packs.add(i, partner, pair);
+        }
+      }
+    }
+    const auto history = [this](std::uint32_t pair) -> const auto& {
+      return pairs_.history(pair);
+    };
+    out.within.finish(spheres, history);
+    out.crossing.finish(spheres, history);
+    out.wrapped.finish(spheres, history);
+  }
+
   void renew_wall_candidates(const Bodies<Real>& bodies, std::span<const AnyWall> walls, Workers& workers) {
     // The contacts of all blocks, in the order of the spheres, are dealt out to the new blocks.
     std::vector<WallContact<Real, history_size>> contacts;
@@ -219,11 +333,12 @@ private:
   Pairs pairs_;
   std::vector<Block> blocks_;
   std::vector<OneWallBlock> wall_blocks_;
+  std::vector<BlockPairs> block_pairs_;
   std::vector<ForceRecord<Real>> slots_;
   std::vector<std::size_t> near_walls_;
-  std::size_t slot_count_ = 0;
   std::vector<Vec3<double>> listed_at_;
   double skin_ = 0.0, travel_ = 0.0, wall_travel_ = 0.0;
+  double pack_skin_ = 0.0, pack_travel_ = 0.0, step_travel_ = 0.0;
   bool valid_ = false;
   std::size_t sorted_at_ = never, renewals_ = 0;
 };

@@ -60,6 +60,7 @@ public:
   using Law = typename Model::Contact;
   using AnyDynamics = typename Model::Walls::Any;
   using WallBody = Wall<AnyDynamics>;
+  using Pairs = PairList<Real, Law::history_size>;
   using WallContactRecord = WallContact<Real, Law::history_size>;
 
   /// \throws Error for a field of the setup out of its range.
@@ -221,9 +222,10 @@ public:
   template <class Visit>
   void visit_contacts(Visit visit) const {
     const auto& pairs = lists_.pairs();
+    const auto histories = lists_.histories();
     for (std::size_t i = 0; i < pairs.row_count(); ++i) {
       for (std::size_t pair = pairs.begin_of(i); pair < pairs.begin_of(i + 1); ++pair) {
-        visit_pair(i, pair, visit);
+        visit_pair(i, pairs.partner(pair), histories[pair], visit);
       }
     }
     for (const auto& block : lists_.wall_blocks()) {
@@ -340,6 +342,14 @@ private:
                std::uint32_t a, std::uint32_t b) -> const PairMaterial<Real>& { return table[a * n + b]; };
   }
 
+  /// \tparam images whether some pairs are with periodic images
+  template <bool images>
+  [[nodiscard]] auto pair_loop() {
+    using Loop = detail::PairLoop<images, Model::energy_audit, KernelNumber<Law, Real>, Law, Real,
+                                  decltype(pair_material())>;
+    return Loop{setup_.contact, pair_material(), domain_, static_cast<Real>(dt_), bodies_};
+  }
+
   void compute_forces(std::size_t b) {
     const Block& block = lists_.blocks()[b];
     BlockResult& result = block_results_[b];
@@ -348,13 +358,13 @@ private:
     std::fill(result.walls.begin(), result.walls.end(), WallSum{});
     result.lost = {};
     const auto dt = static_cast<Real>(dt_);
-    const std::span<ForceRecord<Real>> slots = lists_.slots();
-    if (domain_.periodic()) {
-      add_pair_forces<true, Model::energy_audit>(block, setup_.contact, pair_material(), domain_, dt, bodies_,
-                                                 lists_.pairs(), slots, result.lost);
-    } else {
-      add_pair_forces<false, Model::energy_audit>(block, setup_.contact, pair_material(), domain_, dt,
-                                                  bodies_, lists_.pairs(), slots, result.lost);
+    auto& pairs = lists_.block_pairs(b);
+    pair_loop<false>().add_all(pairs.within, result.lost);
+    const auto slots = lists_.slots(b);
+    const std::size_t crossing = pairs.crossing.pack_count() * pairs.crossing.lanes;
+    pair_loop<false>().add_to_first(pairs.crossing, slots.first(crossing), result.lost);
+    if (pairs.wrapped.size() > 0) {
+      pair_loop<true>().add_to_first(pairs.wrapped, slots.subspan(crossing), result.lost);
     }
     add_wall_forces<Model::energy_audit>(setup_.contact, pair_material(), std::span<const WallBody>{walls_},
                                          dt, bodies_, lists_.wall_block(b), std::span<WallSum>{result.walls},
@@ -363,7 +373,7 @@ private:
 
   void move(std::size_t b, const TimeStep& now) {
     const Block& block = lists_.blocks()[b];
-    fetch_forces(block, std::span<const ForceRecord<Real>>{lists_.slots()}, bodies_);
+    fetch_forces(block, std::as_const(lists_).slots(), bodies_);
     block_results_[b].fastest = move_bodies<typename Model::Integrator, Model::energy_audit>(
         block, now, setup_.local_damping, bodies_, block_results_[b].lost);
   }
@@ -428,8 +438,7 @@ private:
   }
 
   template <class Visit>
-  void visit_pair(std::size_t i, std::size_t pair, Visit& visit) const {
-    const Partner partner = lists_.pairs().partner(pair);
+  void visit_pair(std::size_t i, Partner partner, typename Pairs::History history, Visit& visit) const {
     const auto &own = bodies_.spheres()[i], &other = bodies_.spheres()[partner.sphere];
     const Vec3<double> apart = own.position - other.position - domain_.shift(partner.image);
     const double d2 = squared_norm(apart), reach = own.radius + other.radius;
@@ -437,7 +446,6 @@ private:
       return;
     }
     const Touch<Real> touch = touch_of(own, other, apart, d2, Real{0});
-    auto history = lists_.pairs().history(pair);
     const auto& constants = pair_material()(own.material, other.material);
     const ContactForce<Real> f = setup_.contact.evaluate(constants, touch.kinematics, history);
     const Vector normal = to_eigen(touch.kinematics.normal);

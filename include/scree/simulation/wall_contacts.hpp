@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -171,6 +172,7 @@ void add_wall_forces(const Law& law, const PairMaterials& pair_material, std::sp
       k.velocity = to_vec3<Real>(slip_velocity(sphere, wall.motion, now.normal, tilt, arm, dt));
       k.reduced_radius = static_cast<Real>(sphere.radius);
       k.reduced_mass = Real{1} / (sphere.inverse_mass + static_cast<Real>(wall.inverse_mass()));
+      k.root_mass = std::sqrt(k.reduced_mass);
       k.turn = to_vec3<Real>(tilt) + k.normal * (Real(0.5) * dot(k.spin_i + k.spin_j, k.normal) * dt);
       k.dt = dt;
       const ContactForce<Real> f =

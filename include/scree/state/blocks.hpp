@@ -2,11 +2,12 @@
 /// \file
 /// The fixed division of the bodies into blocks that makes results independent of the number of threads.
 
-#include "scree/state/pair_list.hpp"
+#include "scree/state/bodies.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace scree {
@@ -17,21 +18,19 @@ namespace scree {
 struct Block {
   std::size_t first_body = 0, end_body = 0;
   std::size_t first_sphere = 0, end_sphere = 0;
-  std::size_t first_slot = 0; ///< of the forces on spheres of later blocks, in the order of the pairs
+  std::size_t first_slot = 0; ///< of the forces on spheres of other blocks, in the order of the pairs
 
   struct Incoming {
     std::uint32_t sphere;
     std::uint32_t slot;
   };
-  std::vector<Incoming> incoming; ///< from earlier blocks, in the order of their pairs
+  std::vector<Incoming> incoming; ///< in the order of the blocks and pairs that they come from
 };
 
-/// Divides bodies into blocks of at least `least_spheres`, at most about 64 of them, and says which pairs
-/// cross.
-template <class Real, int history_size>
-std::vector<Block> divided(const Bodies<Real>& bodies, const PairList<Real, history_size>& pairs,
-                           std::size_t& slots) {
-  constexpr std::size_t least_spheres = 512, most_blocks = 64;
+/// Divides bodies into blocks of at least `least_spheres`, at most about 64 of them.
+template <class Real>
+std::vector<Block> divided(const Bodies<Real>& bodies) {
+  constexpr std::size_t least_spheres = 2048, most_blocks = 64;
   const std::size_t wanted = std::max(least_spheres, bodies.sphere_count() / most_blocks + 1);
   std::vector<Block> blocks;
   Block block;
@@ -45,20 +44,15 @@ std::vector<Block> divided(const Bodies<Real>& bodies, const PairList<Real, hist
       block.first_sphere = bodies.first_sphere(b + 1);
     }
   }
-  slots = 0;
-  for (Block& source : blocks) {
-    source.first_slot = slots;
-    for (std::size_t pair = pairs.begin_of(source.first_sphere); pair < pairs.begin_of(source.end_sphere);
-         ++pair) {
-      const std::uint32_t j = pairs.partner(pair).sphere;
-      if (j >= source.end_sphere) {
-        const auto owner = std::upper_bound(blocks.begin(), blocks.end(), j,
-                                            [](std::size_t s, const Block& of) { return s < of.end_sphere; });
-        owner->incoming.push_back({j, static_cast<std::uint32_t>(slots++)});
-      }
-    }
-  }
   return blocks;
+}
+
+/// The block that holds sphere `s`.
+inline std::size_t block_of(std::span<const Block> blocks, std::size_t s) {
+  const auto owner =
+      std::upper_bound(blocks.begin(), blocks.end(), s,
+                       [](std::size_t sphere, const Block& of) { return sphere < of.end_sphere; });
+  return static_cast<std::size_t>(owner - blocks.begin());
 }
 
 } // namespace scree

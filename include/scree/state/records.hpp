@@ -26,10 +26,13 @@ static_assert(sizeof(SphereRecord<double>) == 96 && sizeof(SphereRecord<float>) 
 
 /// What acts on a sphere in one step, about its own centre.
 template <class Real>
-struct ForceRecord {
-  Vec3<Real> force;  ///< N
+struct alignas(8 * sizeof(Real)) ForceRecord {
+  Vec3<Real> force; ///< N
+  Real unused = 0;
   Vec3<Real> torque; ///< N m
+  Real unused_too = 0;
 };
+static_assert(sizeof(ForceRecord<double>) == 64 && sizeof(ForceRecord<float>) == 32);
 
 /// The motion of a rigid body about its centre of mass and principal axes.
 template <class Real>
