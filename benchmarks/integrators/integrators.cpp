@@ -6,6 +6,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -26,42 +27,54 @@ void count_bodies(benchmark::State& state) {
                          benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
-/// Bodies of unlike moments that tumble under a moment.
-template <class Integrator>
+/// Numbers that differ from lane to lane.
+template <class T>
+Vec3<T> drawn(Random& random, double size) {
+  std::array<Vector, Lanes<T>::width> lanes;
+  for (Vector& v : lanes) {
+    v = size * direction(random);
+  }
+  const auto along = [&](int axis) {
+    return Lanes<T>::generated([&](std::size_t lane) { return lanes[lane][axis]; });
+  };
+  return {along(0), along(1), along(2)};
+}
+
+/// Bodies of unlike moments that tumble under a moment, as many at a time as T has lanes.
+template <class Integrator, class T>
 void rotate(benchmark::State& state) {
   Random random{3};
-  struct Body {
-    Quaternion orientation;
-    Vector angular_velocity, moment, inertia;
+  struct Group {
+    Quat<T> orientation;
+    Vec3<T> angular_velocity, moment, inertia;
   };
-  std::vector<Body> bodies;
-  for (std::size_t b = 0; b < body_count; ++b) {
-    bodies.push_back(
-        {random.orientation(), 20.0 * direction(random), 1e-6 * direction(random), {1e-7, 2e-7, 2.5e-7}});
+  std::vector<Group> groups;
+  for (std::size_t b = 0; b < body_count; b += Lanes<T>::width) {
+    groups.push_back(
+        {Quat<T>{}, drawn<T>(random, 20.0), drawn<T>(random, 1e-6), {T(1e-7), T(2e-7), T(2.5e-7)}});
   }
   for (auto _ : state) {
-    for (Body& body : bodies) {
-      Integrator::rotate(body.orientation, body.angular_velocity, body.moment, body.inertia, step);
+    for (Group& group : groups) {
+      Integrator::rotate(group.orientation, group.angular_velocity, group.moment, group.inertia, step);
     }
     benchmark::ClobberMemory();
   }
   count_bodies(state);
 }
 
-template <class Integrator, class Real>
+template <class Integrator, class T>
 void translate(benchmark::State& state) {
   Random random{3};
-  struct Body {
-    Vec3<double> position;
-    Vec3<Real> velocity, acceleration;
+  struct Group {
+    Vec3<T> position, velocity, acceleration;
   };
-  std::vector<Body> bodies;
-  for (std::size_t b = 0; b < body_count; ++b) {
-    bodies.push_back({to_vec3(direction(random)), {}, to_vec3<Real>(direction(random))});
+  std::vector<Group> groups;
+  for (std::size_t b = 0; b < body_count; b += Lanes<T>::width) {
+    groups.push_back({drawn<T>(random, 1.0), {T(0), T(0), T(0)}, drawn<T>(random, 1.0)});
   }
   for (auto _ : state) {
-    for (Body& body : bodies) {
-      Integrator::translate(body.position, body.velocity, body.acceleration, step);
+    for (Group& group : groups) {
+      Integrator::translate(group.position, group.velocity, group.acceleration, step);
     }
     benchmark::ClobberMemory();
   }
@@ -70,7 +83,9 @@ void translate(benchmark::State& state) {
 
 } // namespace
 
-BENCHMARK_TEMPLATE(rotate, Leapfrog);
-BENCHMARK_TEMPLATE(rotate, RotorSplitting);
+BENCHMARK_TEMPLATE(rotate, Leapfrog, double);
+BENCHMARK_TEMPLATE(rotate, Leapfrog, Pack<double>);
+BENCHMARK_TEMPLATE(rotate, RotorSplitting, double);
+BENCHMARK_TEMPLATE(rotate, RotorSplitting, Pack<double>);
 BENCHMARK_TEMPLATE(translate, Leapfrog, double);
-BENCHMARK_TEMPLATE(translate, Leapfrog, float);
+BENCHMARK_TEMPLATE(translate, Leapfrog, Pack<double>);

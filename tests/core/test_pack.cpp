@@ -81,6 +81,8 @@ TEST_CASE_TEMPLATE("a pack computes in each lane what the plain number does", Re
     check_lanes<Real>("difference in place", a, b, [](auto x, auto y) { return x -= y; });
     check_lanes<Real>("product in place", a, b, [](auto x, auto y) { return x *= y; });
     check_lanes<Real>("root", a, b, [](auto, auto y) { return square_root(y); });
+    check_lanes<Real>("sine", a, b, [](auto x, auto) { return sine(x); });
+    check_lanes<Real>("cosine", a, b, [](auto x, auto) { return cosine(x); });
     check_lanes<Real>("larger", a, b, [](auto x, auto y) { return larger(x, y); });
     check_lanes<Real>("select by <", a, b, [](auto x, auto y) { return select(x < y, x, y * y); });
     check_lanes<Real>("select by >", a, b, [](auto x, auto y) { return select(x > y, x, y * y); });

@@ -97,6 +97,48 @@ TEST_CASE_TEMPLATE("rows are brought to memory lane after lane, to shared places
   }
 }
 
+TEST_CASE_TEMPLATE("records in float are read as packs of double", T, double, Pack<double>) {
+  const Records<float> a{Lanes<T>::width, 1.0F};
+  check_fields<T, double>(fields_of<T>([&](std::size_t lane) { return a.at(lane); }),
+                          [&](std::size_t lane, std::size_t field) { return double{a.at(lane)[field]}; });
+}
+
+namespace {
+
+/// Stores each lane once as four numbers and once as three, and looks at what stands there then.
+template <class T, class Real>
+void check_stored_rows() {
+  constexpr std::size_t width = Lanes<T>::width;
+  const Records<double> a{width, 1.0};
+  const RowsOfFour<T> rows{fields_of<T>([&](std::size_t lane) { return a.at(lane); })};
+  const Real kept = Real(-3);
+  std::vector<std::array<Real, 5>> four(width), three(width);
+  for (std::size_t lane = 0; lane < width; ++lane) {
+    four[lane].fill(kept);
+    three[lane].fill(kept);
+  }
+  for_each_lane<T>([&](auto lane) {
+    rows.template store<lane>(four[lane].data());
+    rows.template store_three<lane>(three[lane].data());
+  });
+  for (std::size_t lane = 0; lane < width; ++lane) {
+    CAPTURE(lane);
+    for (std::size_t n = 0; n < 4; ++n) {
+      CHECK(four[lane][n] == static_cast<Real>(a.at(lane)[n]));
+      CHECK(three[lane][n] == (n < 3 ? static_cast<Real>(a.at(lane)[n]) : kept));
+    }
+    CHECK(four[lane][4] == kept);
+    CHECK(three[lane][4] == kept);
+  }
+}
+
+} // namespace
+
+TEST_CASE_TEMPLATE("rows of four are stored, or three numbers of them", T, double, Pack<double>) {
+  check_stored_rows<T, double>();
+  check_stored_rows<T, float>();
+}
+
 TEST_CASE_TEMPLATE("a twin computes as its packs do", Real, double, float) {
   using P = Pack<Real>;
   using T = Twin<P>;

@@ -3,6 +3,7 @@
 #include "scree/core/random.hpp"
 #include "scree/integrators/leapfrog.hpp"
 #include "support/relative_error.hpp"
+#include "support/rotate.hpp"
 
 #include <doctest/doctest.h>
 
@@ -293,7 +294,7 @@ TEST_CASE("without forces the body turns as the integrator of the grains has it"
   for (int k = 0; k < 2000; ++k) {
     const TimeStep now{rig.time(), rig.dt, k == 0 ? 0.5 * rig.dt : rig.dt, Vector::Zero()};
     rig.step();
-    Leapfrog::rotate(q, w, Vector::Zero(), moments, now);
+    test::rotate<Leapfrog>(q, w, Vector::Zero(), moments, now);
     REQUIRE(rig.motion.orientation.angularDistance(q) < 1e-11);
     REQUIRE((rig.motion.angular_velocity - q * w).norm() < 1e-11);
   }

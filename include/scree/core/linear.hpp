@@ -2,6 +2,7 @@
 /// \file
 /// Vectors, matrices and quaternions of everything outside the time-step loop: Eigen, in double.
 
+#include "scree/core/quat.hpp"
 #include "scree/core/vec3.hpp"
 
 #include <Eigen/Core>
@@ -22,6 +23,14 @@ Vector to_eigen(const Vec3<T>& a) {
 template <class T = double, class Derived>
 Vec3<T> to_vec3(const Eigen::MatrixBase<Derived>& a) {
   return {static_cast<T>(a.x()), static_cast<T>(a.y()), static_cast<T>(a.z())};
+}
+
+inline Quaternion to_eigen(const Quat<double>& q) {
+  return {q.w, q.x, q.y, q.z};
+}
+
+inline Quat<double> to_quat(const Quaternion& q) {
+  return {q.x(), q.y(), q.z(), q.w()};
 }
 
 } // namespace scree

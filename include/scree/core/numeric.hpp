@@ -30,6 +30,16 @@ T square_root(T a) {
 }
 
 template <std::floating_point T>
+T sine(T a) {
+  return std::sin(a);
+}
+
+template <std::floating_point T>
+T cosine(T a) {
+  return std::cos(a);
+}
+
+template <std::floating_point T>
 constexpr T reciprocal(T a) {
   return T{1} / a;
 }

@@ -179,6 +179,13 @@ public:
   }
   friend Pack larger(const Pack& a, const Pack& b) { return select(a > b, a, b); }
   friend Pack square_root(const Pack& a) { return Pack{detail::roots(a.lanes_)}; }
+  // One lane after the other: right, not fast.
+  friend Pack sine(const Pack& a) {
+    return generated([&](std::size_t lane) { return std::sin(a[lane]); });
+  }
+  friend Pack cosine(const Pack& a) {
+    return generated([&](std::size_t lane) { return std::cos(a[lane]); });
+  }
   friend Pack reciprocal(const Pack& a) {
     if constexpr (detail::has_estimates) {
       Pack y{detail::reciprocal_estimate(a.lanes_)};
@@ -228,6 +235,7 @@ inline Pack<float> narrowed(const Pack<double>& a, const Pack<double>& b) {
 /// What a loop that is written once for packs and plain numbers asks of them.
 template <class T>
 struct Lanes {
+  using Number = T;
   static constexpr std::size_t width = 1;
   template <class Value>
   static T generated(Value value) {
@@ -242,6 +250,7 @@ struct Lanes {
 
 template <class Real>
 struct Lanes<Pack<Real>> {
+  using Number = Real;
   static constexpr std::size_t width = Pack<Real>::width;
   template <class Value>
   static Pack<Real> generated(Value value) {

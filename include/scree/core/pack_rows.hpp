@@ -6,6 +6,7 @@
 /// into four packs by shuffles of two registers each: fewer instructions than to gather number by number.
 
 #include "scree/core/pack.hpp"
+#include "scree/core/vec3.hpp"
 
 #include <array>
 #include <cstddef>
@@ -60,14 +61,19 @@ template <std::size_t width, class Rows>
   }
 }
 
-template <class Real, class Row>
+/// Rows of Real, given as Number.
+template <class Number, class Real, class Row>
 struct RowsInMemory {
   const Row& row;
   template <std::size_t n>
   [[gnu::always_inline]] auto part(std::size_t lane, std::size_t skip) const {
-    using Part = typename VectorOf<Real, n>::type;
-    return static_cast<Part>(
-        *reinterpret_cast<const typename LooseVectorOf<Real, n>::type*>(row(lane) + skip));
+    const auto& here = *reinterpret_cast<const typename LooseVectorOf<Real, n>::type*>(row(lane) + skip);
+    using Part = typename VectorOf<Number, n>::type;
+    if constexpr (std::is_same_v<Number, Real>) {
+      return static_cast<Part>(here);
+    } else {
+      return __builtin_convertvector(static_cast<typename VectorOf<Real, n>::type>(here), Part);
+    }
   }
 };
 
@@ -104,18 +110,20 @@ struct FieldsOf {
   }
 };
 
-/// The four fields of records: `row(lane)` points to the first of four numbers that lie one behind the other.
+/// The four fields of records: `row(lane)` points to the first of four numbers that lie one behind the other,
+/// of any type.
 template <class T, class Row>
 [[gnu::always_inline]] inline Fields<T> fields_of(const Row& row) {
   using Real = std::remove_cvref_t<decltype(*row(0))>;
-  return FieldsOf<T>::read(detail::RowsInMemory<Real, Row>{row});
+  return FieldsOf<T>::read(detail::RowsInMemory<typename Lanes<T>::Number, Real, Row>{row});
 }
 
 /// The fields of the records `a(lane)` less those of `b(lane)`.
 template <class T, class A, class B>
 [[gnu::always_inline]] inline Fields<T> differences_of(const A& a, const B& b) {
   using Real = std::remove_cvref_t<decltype(*a(0))>;
-  using Differences = detail::RowDifferences<detail::RowsInMemory<Real, A>, detail::RowsInMemory<Real, B>>;
+  using Differences =
+      detail::RowDifferences<detail::RowsInMemory<Real, Real, A>, detail::RowsInMemory<Real, Real, B>>;
   return FieldsOf<T>::read(Differences{{a}, {b}});
 }
 
@@ -188,6 +196,68 @@ public:
 
 private:
   Fields<T> first_, second_; // pieces
+};
+
+/// Packs as rows of four numbers, one for each lane.
+template <class T>
+class RowsOfFour {
+public:
+  [[gnu::always_inline]] explicit RowsOfFour(const Fields<T>& fields) : pieces_{detail::rows_of<T>(fields)} {}
+
+  /// Writes a row from `at` on.
+  template <std::size_t lane, class Real>
+  [[gnu::always_inline]] void store(Real* at) const {
+    write<lane>(at, [](const auto& row, const auto&) { return row; });
+    if constexpr (Lanes<T>::width <= 2) {
+      at[3] = last<lane, Real>();
+    }
+  }
+  /// Writes the first three numbers of a row. What lies behind them in memory stays as it is, to the bit.
+  template <std::size_t lane, class Real>
+  [[gnu::always_inline]] void store_three(Real* at) const {
+    write<lane>(
+        at, [](const auto& row, const auto& old) { return __builtin_shufflevector(row, old, 0, 1, 2, 7); });
+  }
+
+private:
+  /// at[0 .. 4) = choose(row, at[0 .. 4)), but of three numbers for narrow packs.
+  template <std::size_t lane, class Real, class Choose>
+  [[gnu::always_inline]] void write(Real* at, const Choose& choose) const {
+    constexpr std::size_t width = Lanes<T>::width;
+    if constexpr (width == 1) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        at[k] = static_cast<Real>(pieces_[k]);
+      }
+    } else if constexpr (width == 2) {
+      const auto two = pieces_[2 * lane].native();
+      at[0] = static_cast<Real>(two[0]);
+      at[1] = static_cast<Real>(two[1]);
+      at[2] = static_cast<Real>(pieces_[2 * lane + 1][0]);
+    } else {
+      using Row = typename detail::VectorOf<Real, 4>::type;
+      auto& place = *reinterpret_cast<typename detail::LooseVectorOf<Real, 4>::type*>(at);
+      place = choose(__builtin_convertvector(row<lane>(), Row), static_cast<Row>(place));
+    }
+  }
+  template <std::size_t lane>
+  [[gnu::always_inline]] auto row() const {
+    if constexpr (Lanes<T>::width == 4) {
+      return pieces_[lane].native();
+    } else {
+      static_assert(Lanes<T>::width == 8, "packs of more than 8 numbers");
+      return detail::half_of(pieces_[lane / 2].native(), lane % 2, std::make_index_sequence<4>{});
+    }
+  }
+  template <std::size_t lane, class Real>
+  [[gnu::always_inline]] Real last() const {
+    if constexpr (Lanes<T>::width == 1) {
+      return static_cast<Real>(pieces_[3]);
+    } else {
+      return static_cast<Real>(pieces_[2 * lane + 1][1]);
+    }
+  }
+
+  Fields<T> pieces_;
 };
 
 /// Calls `visit(std::integral_constant<std::size_t, lane>)` for all lanes of a T, in their order.

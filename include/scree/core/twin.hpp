@@ -59,6 +59,7 @@ template <class Real>
 struct Lanes<Twin<Pack<Real>>> {
   using T = Twin<Pack<Real>>;
   using Half = Lanes<Pack<Real>>;
+  using Number = Real;
   static constexpr std::size_t width = T::width;
 
   template <class Value>

@@ -3,34 +3,44 @@
 /// What an integrator must offer.
 ///
 /// Positions and orientations stand at a step, velocities half a step behind. An integrator is an empty,
-/// copyable type with two operations, both templates over the number type of the velocities:
+/// copyable type with two operations:
 ///
-///     template <class Real>
-///     static void translate(Vec3<double>& position, Vec3<Real>& velocity, const Vec3<Real>& acceleration,
+///     template <class T>
+///     static void translate(Vec3<T>& position, Vec3<T>& velocity, const Vec3<T>& acceleration,
 ///                           const TimeStep& step);
-///     static void rotate(Quaternion& orientation, Vector& angular_velocity, const Vector& moment,
-///                        const Vector& inertia, const TimeStep& step);
+///     template <class T>
+///     static void rotate(Quat<T>& orientation, Vec3<T>& angular_velocity, const Vec3<T>& moment,
+///                        const Vec3<T>& inertia, const TimeStep& step);
 ///
 /// `translate` advances velocity by `step.kick` and position by `step.dt`. `rotate` does the same for a rigid
 /// body: angular velocity and moment in the principal frame [rad/s, N m], inertia the principal moments [kg
-/// m2]. Given by the library: Leapfrog (the paper's), RotorSplitting (for strongly non-spherical bodies).
+/// m2]. T is `double` or a pack of them (core/pack.hpp); with the operations of core/numeric.hpp one source
+/// serves both. An integrator whose operations take `double` alone is computed on body after body. Given by
+/// the library: Leapfrog (the paper's), RotorSplitting (for strongly non-spherical bodies).
 
+#include "scree/core/pack.hpp"
 #include "scree/state/wall_motion.hpp"
+
+#include <type_traits>
 
 namespace scree {
 
-template <class I, class Real>
-concept Translates = requires(Vec3<double>& x, Vec3<Real>& v, const Vec3<Real>& a, const TimeStep& step) {
+template <class I, class T = double>
+concept Translates = requires(Vec3<T>& x, Vec3<T>& v, const Vec3<T>& a, const TimeStep& step) {
   I::translate(x, v, a, step);
 };
 
-template <class I>
-concept Rotates = requires(Quaternion& q, Vector& w, const Vector& moment, const Vector& inertia,
+template <class I, class T = double>
+concept Rotates = requires(Quat<T>& q, Vec3<T>& w, const Vec3<T>& moment, const Vec3<T>& inertia,
                            const TimeStep& step) {
   I::rotate(q, w, moment, inertia, step);
 };
 
-template <class I, class Real = double>
-concept Integrator = Translates<I, Real> && Rotates<I>;
+template <class I, class T = double>
+concept Integrator = Translates<I, T> && Rotates<I, T>;
+
+/// What the motion of bodies is computed on: packs, for an integrator that takes them.
+template <class I>
+using MotionNumber = std::conditional_t<Integrator<I, Pack<double>>, Pack<double>, double>;
 
 } // namespace scree

@@ -12,15 +12,16 @@ namespace scree {
 /// Second order. Keeps the energy of a free body; the direction of its angular momentum wanders within
 /// O(dt^2).
 struct Leapfrog {
-  template <class Real>
-  static void translate(Vec3<double>& position, Vec3<Real>& velocity, const Vec3<Real>& acceleration,
+  template <class T>
+  static void translate(Vec3<T>& position, Vec3<T>& velocity, const Vec3<T>& acceleration,
                         const TimeStep& step) {
-    velocity += acceleration * static_cast<Real>(step.kick);
-    position += velocity.template as<double>() * step.dt;
+    velocity += acceleration * T(step.kick);
+    position += velocity * T(step.dt);
   }
 
-  static void rotate(Quaternion& orientation, Vector& angular_velocity, const Vector& moment,
-                     const Vector& inertia, const TimeStep& step) {
+  template <class T>
+  static void rotate(Quat<T>& orientation, Vec3<T>& angular_velocity, const Vec3<T>& moment,
+                     const Vec3<T>& inertia, const TimeStep& step) {
     angular_velocity = kicked(angular_velocity, moment, inertia, step.kick);
     orientation = turned(orientation, angular_velocity, step.dt);
   }

@@ -12,24 +12,35 @@ namespace scree {
 /// of the moments, the map is symplectic and reversible, and the energy error stays bounded. Second order.
 /// Translation as in Leapfrog.
 struct RotorSplitting : Leapfrog {
-  static void rotate(Quaternion& orientation, Vector& angular_velocity, const Vector& moment,
-                     const Vector& inertia, const TimeStep& step) {
-    Vector momentum = inertia.cwiseProduct(angular_velocity) + step.kick * moment;
-    for (const auto& [axis, share] : {Turn{0, 0.5}, Turn{1, 0.5}, Turn{2, 1.0}, Turn{1, 0.5}, Turn{0, 0.5}}) {
-      const double angle = share * step.dt * momentum[axis] / inertia[axis];
-      const Quaternion turn{Eigen::AngleAxisd{angle, Vector::Unit(axis)}};
-      orientation = orientation * turn;
-      momentum = turn.conjugate() * momentum;
-    }
-    orientation.normalize();
-    angular_velocity = momentum.cwiseQuotient(inertia);
+  template <class T>
+  static void rotate(Quat<T>& orientation, Vec3<T>& angular_velocity, const Vec3<T>& moment,
+                     const Vec3<T>& inertia, const TimeStep& step) {
+    const T kick(step.kick);
+    Vec3<T> l{inertia.x * angular_velocity.x + kick * moment.x,
+              inertia.y * angular_velocity.y + kick * moment.y,
+              inertia.z * angular_velocity.z + kick * moment.z};
+    Quat<T> turns;
+    // About one axis at the rate of the momentum there, which takes the other two round.
+    const auto turn = [&](T Quat<T>::*axis, const T& along, const T& moment_there, T& second, T& third,
+                          double share) {
+      const T half = T(0.5 * share * step.dt) * along / moment_there;
+      const T c = cosine(half), s = sine(half), cos_full = c * c - s * s, sin_full = T(2) * c * s;
+      Quat<T> by{T(0), T(0), T(0), c};
+      by.*axis = s;
+      turns = turns * by;
+      const T before = second;
+      second = cos_full * second + sin_full * third;
+      third = cos_full * third - sin_full * before;
+    };
+    turn(&Quat<T>::x, l.x, inertia.x, l.y, l.z, 0.5);
+    turn(&Quat<T>::y, l.y, inertia.y, l.z, l.x, 0.5);
+    turn(&Quat<T>::z, l.z, inertia.z, l.x, l.y, 1.0);
+    turn(&Quat<T>::y, l.y, inertia.y, l.z, l.x, 0.5);
+    turn(&Quat<T>::x, l.x, inertia.x, l.y, l.z, 0.5);
+    const Quat<T> next = orientation * turns;
+    orientation = next * (T(1) / square_root(squared_norm(next)));
+    angular_velocity = {l.x / inertia.x, l.y / inertia.y, l.z / inertia.z};
   }
-
-private:
-  struct Turn {
-    int axis;
-    double share;
-  };
 };
 
 } // namespace scree

@@ -142,9 +142,8 @@ struct ModelCheck {
   static_assert(FindsCandidates<Neighbours>,
                 "scree: Model::Neighbours is missing find(balls, owned, margin, workers, "
                 "rows) (neighbours/concept.hpp)");
-  static_assert(Translates<Integrator, Real>,
-                "scree: Model::Integrator is missing translate(position, velocity, "
-                "acceleration, step) (integrators/concept.hpp)");
+  static_assert(Translates<Integrator>, "scree: Model::Integrator is missing translate(position, velocity, "
+                                        "acceleration, step) (integrators/concept.hpp)");
   static_assert(Rotates<Integrator>,
                 "scree: Model::Integrator is missing rotate(orientation, angular_velocity, "
                 "moment, inertia, step) (integrators/concept.hpp)");

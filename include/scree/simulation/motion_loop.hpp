@@ -2,12 +2,18 @@
 /// \file
 /// The loop over bodies: from forces to motion.
 
+#include "scree/core/pack_rows.hpp"
 #include "scree/integrators/concept.hpp"
 #include "scree/simulation/tally.hpp"
 #include "scree/state/blocks.hpp"
+#include "scree/state/placement.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <span>
+#include <utility>
 
 namespace scree {
 
@@ -21,81 +27,263 @@ void fetch_forces(const Block& block, std::span<const ForceRecord<Real>> slots, 
   }
 }
 
+namespace detail {
+
 /// Local non-viscous damping of one force or moment component, F_d = -alpha |F| sign(v) (Itasca's PFC
-/// manual): takes the component down where it drives the motion and up where it opposes it. Adds the work
-/// taken out to `work`.
-template <class Real>
-Vec3<Real> damped(const Vec3<Real>& force, const Vec3<Real>& velocity, Real alpha, Real kick, Real& work) {
-  const auto along = [&](Real f, Real v) {
-    const Real d = alpha * std::abs(f);
-    work += d * std::abs(v) * kick;
-    return v > 0 ? f - d : v < 0 ? f + d : f;
+/// manual): takes the component down where it drives the motion and up where it opposes it.
+template <class T>
+class LocalDamping {
+public:
+  LocalDamping(double alpha, double kick) : alpha_(alpha), kick_(kick), on_{alpha > 0.0} {}
+
+  void damp(Vec3<T>& force, const Vec3<T>& velocity) {
+    if (on_) {
+      force = {along(force.x, velocity.x), along(force.y, velocity.y), along(force.z, velocity.z)};
+    }
+  }
+  /// J, taken out of the motion since the last call.
+  T taken() { return std::exchange(work_, T(0)); }
+
+private:
+  T along(const T& f, const T& v) {
+    const T d = alpha_ * larger(f, -f);
+    work_ += d * larger(v, -v) * kick_;
+    return select(v > T(0), f - d, select(v < T(0), f + d, f));
+  }
+
+  T alpha_, kick_, work_ = T(0);
+  bool on_;
+};
+
+/// Moves bodies by one step, as many at a time as T has lanes.
+template <class T, class Integrator, class Real>
+class MotionLoop {
+  static constexpr std::size_t width = Lanes<T>::width;
+
+public:
+  MotionLoop(const TimeStep& step, double local_damping, Bodies<Real>& bodies)
+      : step_{step},
+        gravity_{to_vec3(step.gravity)},
+        lone_damping_{local_damping, step.kick},
+        damping_{local_damping, step.kick},
+        bodies_{bodies} {}
+
+  void move(const Block& block) {
+    Batch clumps;
+    for (std::size_t b = block.first_body; b < block.end_body; ++b) {
+      switch (bodies_.kind(b)) {
+      case BodyKind::lone:
+        move_lone(b);
+        break;
+      case BodyKind::clump:
+        clumps.add(bodies_, b);
+        if (clumps.size == width) {
+          move_clumps(std::exchange(clumps, {}));
+        }
+        break;
+      case BodyKind::fixed:
+        break;
+      }
+    }
+    if (clumps.size > 0) {
+      clumps.fill();
+      move_clumps(clumps);
+    }
+  }
+
+  /// m/s, the largest speed of a sphere; not a number where one of them is not.
+  [[nodiscard]] double fastest() const {
+    double most = lone_speeds_.most, poison = lone_speeds_.poison;
+    for (std::size_t lane = 0; lane < width; ++lane) {
+      most = std::max(most, number(speeds_.most, lane));
+      poison += number(speeds_.poison, lane);
+    }
+    return std::sqrt(most) + poison;
+  }
+  /// J, that local damping took.
+  [[nodiscard]] double damped() const { return damped_; }
+
+private:
+  /// Clumps that are moved together. Lanes left over hold the last of them once more.
+  struct Batch {
+    std::array<std::size_t, width> body{}, first{}, count{}; // spheres
+    std::size_t size = 0, most = 0;
+
+    void add(const Bodies<Real>& bodies, std::size_t b) {
+      body[size] = b;
+      first[size] = bodies.first_sphere(b);
+      count[size] = bodies.first_sphere(b + 1) - first[size];
+      most = std::max(most, count[size]);
+      ++size;
+    }
+    void fill() {
+      for (std::size_t lane = size; lane < width; ++lane) {
+        body[lane] = body[size - 1];
+        first[lane] = first[size - 1];
+        count[lane] = count[size - 1];
+      }
+    }
+    /// Number of member k of a clump, or of its first one where it has no such member.
+    [[nodiscard]] std::size_t member(std::size_t lane, std::size_t k) const {
+      return first[lane] + (k < count[lane] ? k : 0);
+    }
   };
-  return {along(force.x, velocity.x), along(force.y, velocity.y), along(force.z, velocity.z)};
-}
+
+  template <class Number>
+  struct Speeds {
+    Number most = Number(0), poison = Number(0); // m2/s2
+    void add(const Vec3<Number>& velocity) {
+      const Number v2 = squared_norm(velocity);
+      most = larger(v2, most);
+      poison += Number(0) * v2; // the larger one would lose what is not a number
+    }
+  };
+
+  static RowsOfFour<T> rows(const Vec3<T>& v) { return RowsOfFour<T>{{v.x, v.y, v.z, T(0)}}; }
+
+  static double number(const T& value, std::size_t lane) {
+    std::array<double, width> lanes;
+    Lanes<T>::store(value, lanes.data());
+    return lanes[lane];
+  }
+
+  void move_lone(std::size_t b) {
+    const std::size_t s = bodies_.first_sphere(b);
+    SphereRecord<Real>& sphere = bodies_.spheres()[s];
+    const ForceRecord<Real>& load = std::as_const(bodies_).forces()[s];
+    const auto inverse_mass = static_cast<double>(sphere.inverse_mass);
+    Vec3<double> velocity = sphere.velocity.template as<double>();
+    Vec3<double> spin = sphere.angular_velocity.template as<double>();
+    Vec3<double> force = load.force.template as<double>() + gravity_ * (1.0 / inverse_mass);
+    Vec3<double> torque = load.torque.template as<double>();
+    lone_damping_.damp(force, velocity);
+    lone_damping_.damp(torque, spin);
+    damped_ += lone_damping_.taken();
+    spin += torque * (2.5 * inverse_mass / (sphere.radius * sphere.radius) * step_.kick);
+    Integrator::translate(sphere.position, velocity, force * inverse_mass, step_);
+    sphere.velocity = velocity.template as<Real>();
+    sphere.angular_velocity = spin.template as<Real>();
+    lone_speeds_.add(velocity);
+  }
+
+  /// All that it calls is to be inlined: packs that cross a call go through memory.
+  [[gnu::flatten]] void move_clumps(const Batch& batch) {
+    const auto row = [&](auto field) {
+      return fields_of<T>([&](std::size_t lane) { return field(bodies_.record(batch.body[lane])); });
+    };
+    const auto vector = [](const Fields<T>& f) { return Vec3<T>{f[0], f[1], f[2]}; };
+    Vec3<T> position = vector(row([](auto& body) { return &body.position.x; }));
+    const Fields<T> turn = row([](auto& body) { return &body.orientation.x; });
+    const Fields<T> moving = row([](auto& body) { return &body.velocity.x; });
+    Vec3<T> w = vector(row([](auto& body) { return &body.angular_velocity.x; }));
+    const Vec3<T> inertia = vector(row([](auto& body) { return &body.inertia.x; }));
+    Quat<T> orientation{turn[0], turn[1], turn[2], turn[3]};
+    Vec3<T> velocity = vector(moving);
+    const T mass = moving[3];
+
+    auto [force, torque] = load(batch, position);
+    force += Vec3<T>{T(gravity_.x), T(gravity_.y), T(gravity_.z)} * mass;
+    const Axes<T> before = axes_of(orientation);
+    damping_.damp(force, velocity);
+    damping_.damp(torque, before.to_space(w));
+    add_damped(damping_.taken(), batch.size);
+    Integrator::rotate(orientation, w, before.to_frame(torque), inertia, step_);
+    Integrator::translate(position, velocity, force * (T(1) / mass), step_);
+
+    const RowsOfFour<T> positions = rows(position), velocities = rows(velocity), spins = rows(w);
+    const RowsOfFour<T> orientations{{orientation.x, orientation.y, orientation.z, orientation.w}};
+    for_each_lane<T>([&](auto lane) {
+      if (lane < batch.size) {
+        BodyRecord<Real>& body = bodies_.record(batch.body[lane]);
+        positions.template store_three<lane>(&body.position.x);
+        orientations.template store<lane>(&body.orientation.x);
+        velocities.template store_three<lane>(&body.velocity.x);
+        spins.template store_three<lane>(&body.angular_velocity.x);
+      }
+    });
+    place(batch, position, velocity, axes_of(orientation), w);
+  }
+
+  struct Load {
+    Vec3<T> force{T(0), T(0), T(0)}, torque{T(0), T(0), T(0)};
+  };
+
+  /// Of all members, about the centre of mass.
+  Load load(const Batch& batch, const Vec3<T>& centre) const {
+    const auto spheres = std::as_const(bodies_).spheres();
+    const auto forces = std::as_const(bodies_).forces();
+    Load sum;
+    for (std::size_t k = 0; k < batch.most; ++k) {
+      const auto own =
+          Lanes<T>::generated([&](std::size_t lane) { return k < batch.count[lane] ? 1.0 : 0.0; });
+      const auto kept = [&, is = own > T(0)](const Fields<T>& f) {
+        return Vec3<T>{select(is, f[0], T(0)), select(is, f[1], T(0)), select(is, f[2], T(0))};
+      };
+      const auto x =
+          fields_of<T>([&](std::size_t lane) { return &spheres[batch.member(lane, k)].position.x; });
+      const Vec3<T> f =
+          kept(fields_of<T>([&](std::size_t lane) { return &forces[batch.member(lane, k)].force.x; }));
+      const Vec3<T> m =
+          kept(fields_of<T>([&](std::size_t lane) { return &forces[batch.member(lane, k)].torque.x; }));
+      sum.force += f;
+      sum.torque += m + cross(Vec3<T>{x[0], x[1], x[2]} - centre, f);
+    }
+    return sum;
+  }
+
+  void place(const Batch& batch, const Vec3<T>& centre, const Vec3<T>& velocity, const Axes<T>& axes,
+             const Vec3<T>& spin_in_frame) {
+    const auto spheres = bodies_.spheres();
+    const Vec3<T> w = axes.to_space(spin_in_frame);
+    const RowsOfFour<T> spins = rows(w);
+    for (std::size_t k = 0; k < batch.most; ++k) {
+      const auto offset =
+          fields_of<T>([&](std::size_t lane) { return &bodies_.member(batch.member(lane, k)).offset.x; });
+      const Placed<T> at = placed({offset[0], offset[1], offset[2]}, axes, w, step_.dt);
+      const Vec3<T> sphere_velocity = velocity + at.velocity;
+      speeds_.add(sphere_velocity);
+      const RowsOfFour<T> positions = rows(centre + at.arm), velocities = rows(sphere_velocity);
+      for_each_lane<T>([&](auto lane) {
+        if (lane < batch.size && k < batch.count[lane]) {
+          SphereRecord<Real>& sphere = spheres[batch.first[lane] + k];
+          positions.template store_three<lane>(&sphere.position.x);
+          velocities.template store_three<lane>(&sphere.velocity.x);
+          spins.template store_three<lane>(&sphere.angular_velocity.x);
+        }
+      });
+    }
+  }
+
+  /// Of the first `size` lanes.
+  void add_damped(const T& work, std::size_t size) {
+    for (std::size_t lane = 0; lane < size; ++lane) {
+      damped_ += number(work, lane);
+    }
+  }
+
+  const TimeStep& step_;
+  Vec3<double> gravity_; // m/s2
+  LocalDamping<double> lone_damping_;
+  LocalDamping<T> damping_;
+  Bodies<Real>& bodies_;
+  Speeds<double> lone_speeds_;
+  Speeds<T> speeds_;
+  double damped_ = 0.0;
+};
+
+} // namespace detail
 
 /// Moves the bodies of a block by one step. Returns the largest speed of a member sphere [m/s]; not a number
 /// where one of them is not.
 template <class Integrator, bool audit, class Real>
 double move_bodies(const Block& block, const TimeStep& step, double local_damping, Bodies<Real>& bodies,
                    Dissipation& lost) {
-  const auto spheres = bodies.spheres();
-  const auto forces = std::as_const(bodies).forces();
-  const Vec3<Real> gravity = to_vec3<Real>(step.gravity);
-  const auto alpha = static_cast<Real>(local_damping);
-  const auto kick = static_cast<Real>(step.kick);
-  const bool damping = local_damping > 0.0;
-  Real work = 0;
-  double fastest2 = 0.0, poison = 0.0;
-  const auto note = [&](const Vec3<Real>& velocity) {
-    const auto v2 = static_cast<double>(squared_norm(velocity));
-    fastest2 = std::max(fastest2, v2);
-    poison += 0.0 * v2; // std::max would lose what is not a number
-  };
-  for (std::size_t b = block.first_body; b < block.end_body; ++b) {
-    const std::size_t first = bodies.first_sphere(b);
-    if (bodies.kind(b) == BodyKind::lone) {
-      SphereRecord<Real>& sphere = spheres[first];
-      Vec3<Real> force = forces[first].force + gravity * (Real{1} / sphere.inverse_mass);
-      Vec3<Real> torque = forces[first].torque;
-      if (damping) {
-        force = damped(force, sphere.velocity, alpha, kick, work);
-        torque = damped(torque, sphere.angular_velocity, alpha, kick, work);
-      }
-      const auto radius = static_cast<Real>(sphere.radius);
-      const Real inverse_inertia = Real{2.5} * sphere.inverse_mass / (radius * radius);
-      sphere.angular_velocity += torque * (inverse_inertia * kick);
-      Integrator::translate(sphere.position, sphere.velocity, force * sphere.inverse_mass, step);
-      note(sphere.velocity);
-    } else if (bodies.kind(b) == BodyKind::clump) {
-      BodyRecord<Real>& body = bodies.record(b);
-      Vec3<Real> force = gravity * body.mass;
-      Vec3<Real> torque{};
-      for (std::size_t s = first; s < bodies.first_sphere(b + 1); ++s) {
-        const Vec3<Real> arm = (spheres[s].position - body.position).template as<Real>();
-        force += forces[s].force;
-        torque += forces[s].torque + cross(arm, forces[s].force);
-      }
-      if (damping) {
-        const Vec3<Real> spin = to_vec3<Real>(body.orientation * to_eigen(body.angular_velocity));
-        force = damped(force, body.velocity, alpha, kick, work);
-        torque = damped(torque, spin, alpha, kick, work);
-      }
-      Vector w = to_eigen(body.angular_velocity);
-      Integrator::rotate(body.orientation, w, Vector(body.orientation.conjugate() * to_eigen(torque)),
-                         to_eigen(body.inertia), step);
-      body.angular_velocity = to_vec3<Real>(w);
-      Integrator::translate(body.position, body.velocity, force * (Real{1} / body.mass), step);
-      bodies.place_members(b, step.dt);
-      for (std::size_t s = first; s < bodies.first_sphere(b + 1); ++s) {
-        note(spheres[s].velocity);
-      }
-    }
-  }
+  detail::MotionLoop<MotionNumber<Integrator>, Integrator, Real> loop{step, local_damping, bodies};
+  loop.move(block);
   if constexpr (audit) {
-    lost.local_damping += static_cast<double>(work);
+    lost.local_damping += loop.damped();
   }
-  return std::sqrt(fastest2) + poison;
+  return loop.fastest();
 }
 
 } // namespace scree

@@ -4,6 +4,7 @@
 
 #include "scree/core/error.hpp"
 #include "scree/geometry/clump.hpp"
+#include "scree/state/placement.hpp"
 #include "scree/state/records.hpp"
 
 #include <algorithm>
@@ -65,7 +66,7 @@ public:
 
     BodyRecord<Real> body;
     body.position = to_vec3(given.position);
-    body.orientation = q;
+    body.orientation = to_quat(q);
     body.velocity = to_vec3<Real>(given.velocity);
     body.angular_velocity = to_vec3<Real>(q.conjugate() * given.angular_velocity);
     body.mass = static_cast<Real>(mass);
@@ -86,12 +87,12 @@ public:
       sphere.inverse_mass = given.fixed ? Real{0} : static_cast<Real>(1.0 / mass);
       sphere.material = given.material;
       spheres_.push_back(sphere);
-      offsets_.push_back(to_vec3(Vector(member.centre * given.scale)));
+      members_.push_back({to_vec3(Vector(member.centre * given.scale))});
       body_of_.push_back(static_cast<std::uint32_t>(records_.size() - 1));
     }
     forces_.resize(spheres_.size());
     first_.push_back(static_cast<std::uint32_t>(spheres_.size()));
-    place_members(records_.size() - 1, 0.0);
+    place_members(records_.size() - 1);
     if (lone || given.fixed) {
       for (std::size_t s = first_sphere(size() - 1); s < first_sphere(size()); ++s) {
         spheres_[s].angular_velocity = given.fixed ? Vec3<Real>{} : to_vec3<Real>(given.angular_velocity);
@@ -112,9 +113,9 @@ public:
   /// rad/s, in space.
   [[nodiscard]] Vector angular_velocity(std::size_t b) const {
     return is_lone(b) ? to_eigen(spheres_[first_[b]].angular_velocity)
-                      : Vector(records_[b].orientation * to_eigen(records_[b].angular_velocity));
+                      : Vector(orientation(b) * to_eigen(records_[b].angular_velocity));
   }
-  [[nodiscard]] Quaternion orientation(std::size_t b) const { return records_[b].orientation; }
+  [[nodiscard]] Quaternion orientation(std::size_t b) const { return to_eigen(records_[b].orientation); }
   [[nodiscard]] double mass(std::size_t b) const { return static_cast<double>(records_[b].mass); }
   [[nodiscard]] Vector inertia(std::size_t b) const { return to_eigen(records_[b].inertia); }
   [[nodiscard]] std::uint64_t id(std::size_t b) const { return ids_[b]; }
@@ -130,7 +131,7 @@ public:
   /// J, of translation and rotation; 0 for a fixed body.
   [[nodiscard]] double kinetic_energy(std::size_t b) const {
     const Vector v = velocity(b);
-    const Vector w = records_[b].orientation.conjugate() * angular_velocity(b);
+    const Vector w = orientation(b).conjugate() * angular_velocity(b);
     return 0.5 * mass(b) * v.squaredNorm() + 0.5 * w.dot(inertia(b).cwiseProduct(w));
   }
 
@@ -148,23 +149,18 @@ public:
   [[nodiscard]] std::span<ForceRecord<Real>> forces() { return forces_; }
   [[nodiscard]] BodyRecord<Real>& record(std::size_t b) { return records_[b]; }
   [[nodiscard]] const BodyRecord<Real>& record(std::size_t b) const { return records_[b]; }
-  /// m, of a member sphere from the centre of mass, in the principal frame.
-  [[nodiscard]] const Vec3<double>& offset(std::size_t sphere) const { return offsets_[sphere]; }
+  [[nodiscard]] const MemberRecord& member(std::size_t sphere) const { return members_[sphere]; }
 
-  /// Puts the members of a clump or fixed body where its body record says. Their velocities stand half a step
-  /// behind, as that of the body does: those of the arms of half a step ago.
-  /// \param dt s, of the step that led there; 0 for a body that was put there
-  void place_members(std::size_t b, double dt) {
+  /// Puts the members of a clump or fixed body where its body record says.
+  void place_members(std::size_t b) {
     const BodyRecord<Real>& body = records_[b];
-    const Matrix turn = body.orientation.toRotationMatrix();
-    const Vector w = turn * to_eigen(body.angular_velocity);
-    const Vector v = to_eigen(body.velocity);
-    const Vector x = to_eigen(body.position);
+    const Axes<double> axes = axes_of(body.orientation);
+    const Vec3<double> w = axes.to_space(body.angular_velocity.template as<double>());
     for (std::size_t s = first_[b]; s < first_[b + 1]; ++s) {
-      const Vector arm = turn * to_eigen(offsets_[s]);
-      spheres_[s].position = to_vec3(Vector(x + arm));
-      spheres_[s].velocity = to_vec3<Real>(Vector(v + w.cross(arm - 0.5 * dt * w.cross(arm))));
-      spheres_[s].angular_velocity = to_vec3<Real>(w);
+      const Placed<double> at = placed(members_[s].offset, axes, w, 0.0);
+      spheres_[s].position = body.position + at.arm;
+      spheres_[s].velocity = body.velocity + at.velocity.template as<Real>();
+      spheres_[s].angular_velocity = w.template as<Real>();
     }
   }
 
@@ -180,12 +176,12 @@ public:
   void set_motion(std::size_t b, const Vector& v, const Vector& w) {
     BodyRecord<Real>& body = records_[b];
     body.velocity = to_vec3<Real>(v);
-    body.angular_velocity = to_vec3<Real>(Vector(body.orientation.conjugate() * w));
+    body.angular_velocity = to_vec3<Real>(Vector(orientation(b).conjugate() * w));
     if (is_lone(b)) {
       spheres_[first_[b]].velocity = body.velocity;
       spheres_[first_[b]].angular_velocity = to_vec3<Real>(w);
     } else {
-      place_members(b, 0.0);
+      place_members(b);
     }
   }
 
@@ -220,7 +216,7 @@ public:
         moved_to[s] = static_cast<std::uint32_t>(next.spheres_.size());
         next.spheres_.push_back(spheres_[s]);
         next.forces_.push_back(forces_[s]);
-        next.offsets_.push_back(offsets_[s]);
+        next.members_.push_back(members_[s]);
         next.body_of_.push_back(static_cast<std::uint32_t>(next.records_.size() - 1));
       }
       next.first_.push_back(static_cast<std::uint32_t>(next.spheres_.size()));
@@ -243,7 +239,7 @@ private:
 
   std::vector<SphereRecord<Real>> spheres_;
   std::vector<ForceRecord<Real>> forces_;
-  std::vector<Vec3<double>> offsets_;
+  std::vector<MemberRecord> members_;
   std::vector<std::uint32_t> body_of_;
   std::uint64_t next_id_ = 0;
 };

@@ -34,15 +34,25 @@ struct alignas(8 * sizeof(Real)) ForceRecord {
 };
 static_assert(sizeof(ForceRecord<double>) == 64 && sizeof(ForceRecord<float>) == 32);
 
-/// The motion of a rigid body about its centre of mass and principal axes.
+/// The motion of a rigid body about its centre of mass and principal axes, in rows of four numbers.
 template <class Real>
 struct BodyRecord {
-  Vec3<double> position;                           ///< m, centre of mass
-  Quaternion orientation = Quaternion::Identity(); ///< principal axes to space
-  Vec3<Real> velocity;                             ///< m/s, half a step behind the position
-  Vec3<Real> angular_velocity;                     ///< rad/s, in the principal frame
-  Real mass = 0;                                   ///< kg
-  Vec3<Real> inertia;                              ///< kg m2, principal moments
+  Vec3<double> position; ///< m, centre of mass
+  double unused = 0.0;
+  Quat<double> orientation;    ///< principal axes to space
+  Vec3<Real> velocity;         ///< m/s, half a step behind the position
+  Real mass = 0;               ///< kg
+  Vec3<Real> angular_velocity; ///< rad/s, in the principal frame
+  Real unused_too = 0;
+  Vec3<Real> inertia; ///< kg m2, principal moments
+  Real also_unused = 0;
+};
+static_assert(sizeof(BodyRecord<double>) == 160 && sizeof(BodyRecord<float>) == 112);
+
+/// Where a member sphere of a body is.
+struct MemberRecord {
+  Vec3<double> offset; ///< m, from the centre of mass, in the principal frame
+  double unused = 0.0;
 };
 
 } // namespace scree

@@ -1,59 +1,72 @@
 #pragma once
 /// \file
-/// Rotation of a rigid body: the quaternion update of the paper and Euler's equations.
+/// Rotation of a rigid body: the quaternion update of the paper and Euler's equations. Each is written once
+/// over a number type, for plain numbers and packs of them.
 
 #include "scree/core/linear.hpp"
-
-#include <cmath>
+#include "scree/core/numeric.hpp"
 
 namespace scree {
 
 /// Turns `q` by the body-frame angular velocity `w` [rad/s] held over `dt` [s]: Coetzee et al. (2010) Eqs.
 /// (11)-(15), exact for constant w. With the mid-step w of a leapfrog it is of second order.
-inline Quaternion turned(const Quaternion& q, const Vector& w, double dt) {
-  const double half2 = 0.25 * dt * dt * w.squaredNorm();
-  double cosine = 0.0, sinc = 0.0;
-  if (half2 < 4e-4) {
-    // Their series, to rounding: a time step turns a grain by far less than this.
-    cosine = 1.0 - half2 / 2.0 * (1.0 - half2 / 12.0 * (1.0 - half2 / 30.0));
-    sinc = 1.0 - half2 / 6.0 * (1.0 - half2 / 20.0 * (1.0 - half2 / 42.0));
-  } else {
-    const double half = std::sqrt(half2);
-    cosine = std::cos(half);
-    sinc = std::sin(half) / half;
+template <class T>
+Quat<T> turned(const Quat<T>& q, const Vec3<T>& w, double dt) {
+  const T half2 = T(0.25 * dt * dt) * squared_norm(w);
+  // The series of cos and sin / angle, to rounding where a step turns the body by little: it mostly does.
+  T cosine_half =
+      T(1) - half2 * T(1.0 / 2.0) * (T(1) - half2 * T(1.0 / 12.0) * (T(1) - half2 * T(1.0 / 30.0)));
+  T sinc_half = T(1) - half2 * T(1.0 / 6.0) * (T(1) - half2 * T(1.0 / 20.0) * (T(1) - half2 * T(1.0 / 42.0)));
+  const auto far = half2 > T(4e-4);
+  if (any(far)) {
+    const T half = square_root(half2);
+    cosine_half = select(far, cosine(half), cosine_half);
+    sinc_half = select(far, sine(half) / select(far, half, T(1)), sinc_half);
   }
-  const Vector v = (0.5 * dt * sinc) * w;
-  const Quaternion turn{cosine, v.x(), v.y(), v.z()};
-  Quaternion next = q * turn;
+  const Vec3<T> v = w * (T(0.5 * dt) * sinc_half);
+  const Quat<T> next = q * Quat<T>{v.x, v.y, v.z, cosine_half};
   // The product of unit quaternions drifts from unit length by rounding only.
-  next.coeffs() *= 1.5 - 0.5 * next.squaredNorm();
-  return next;
+  return next * (T(1.5) - T(0.5) * squared_norm(next));
 }
 
 /// Moment of a rotating body's own inertia in the principal frame, Euler's equations (the paper's Eq. (6),
 /// which is misprinted): I dw/dt = M + ((I2 - I3) w2 w3, (I3 - I1) w3 w1, (I1 - I2) w1 w2).
-inline Vector gyroscopic_moment(const Vector& inertia, const Vector& w) {
-  return {(inertia.y() - inertia.z()) * w.y() * w.z(), (inertia.z() - inertia.x()) * w.z() * w.x(),
-          (inertia.x() - inertia.y()) * w.x() * w.y()};
+template <class T>
+Vec3<T> gyroscopic_moment(const Vec3<T>& inertia, const Vec3<T>& w) {
+  return {(inertia.y - inertia.z) * w.y * w.z, (inertia.z - inertia.x) * w.z * w.x,
+          (inertia.x - inertia.y) * w.x * w.y};
 }
 
 /// Kicks a mid-step angular velocity over `dt` by the moment at the step (both in the principal frame), with
 /// the gyroscopic term at the mean of the old and the new value. This implicit midpoint keeps the energy and
 /// the magnitude of the angular momentum of a free body; each iteration gains a factor |w| dt.
-inline Vector kicked(const Vector& w, const Vector& moment, const Vector& inertia, double dt) {
-  const Vector factor = dt * inertia.cwiseInverse();
-  const Vector pushed = w + factor.cwiseProduct(moment);
-  Vector next = pushed + factor.cwiseProduct(gyroscopic_moment(inertia, w));
+template <class T>
+Vec3<T> kicked(const Vec3<T>& w, const Vec3<T>& moment, const Vec3<T>& inertia, double dt) {
+  const Vec3<T> factor{T(dt) / inertia.x, T(dt) / inertia.y, T(dt) / inertia.z};
+  const auto scaled = [&](const Vec3<T>& m) {
+    return Vec3<T>{factor.x * m.x, factor.y * m.y, factor.z * m.z};
+  };
+  const Vec3<T> pushed = w + scaled(moment);
+  Vec3<T> next = pushed + scaled(gyroscopic_moment(inertia, w));
+  // Each lane ends where it would alone.
+  auto open = T(0) < T(1);
   constexpr int most_iterations = 12;
-  for (int iteration = 0; iteration < most_iterations; ++iteration) {
-    const Vector better = pushed + factor.cwiseProduct(gyroscopic_moment(inertia, 0.5 * (w + next)));
-    const double change2 = (better - next).squaredNorm();
-    next = better;
-    if (!(change2 > 1e-31 * next.squaredNorm())) {
-      break;
-    }
+  for (int iteration = 0; iteration < most_iterations && any(open); ++iteration) {
+    const Vec3<T> better = pushed + scaled(gyroscopic_moment(inertia, (w + next) * T(0.5)));
+    const T change2 = squared_norm(better - next);
+    next = {select(open, better.x, next.x), select(open, better.y, next.y), select(open, better.z, next.z)};
+    open = open && change2 > T(1e-31) * squared_norm(next);
   }
   return next;
+}
+
+// The same for a body outside the time-step loop over grains.
+
+inline Quaternion turned(const Quaternion& q, const Vector& w, double dt) {
+  return to_eigen(turned(to_quat(q), to_vec3(w), dt));
+}
+inline Vector kicked(const Vector& w, const Vector& moment, const Vector& inertia, double dt) {
+  return to_eigen(kicked(to_vec3(w), to_vec3(moment), to_vec3(inertia), dt));
 }
 
 } // namespace scree
