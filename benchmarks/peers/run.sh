@@ -1,155 +1,259 @@
 #!/bin/sh
-# sh benchmarks/run.sh peers [--out DIR] [--repeats N] [--steps N] [--keep]: times scree side by side with LAMMPS
-# on a settled bed of 20,000 spheres and leaves peers.csv, a chart and what machine it was in DIR (out/peers).
-# --keep also puts the table and the machine under benchmarks/results/.
-# LAMMPS='lmp /path/to/lmp' names the LAMMPS binaries to time; the first is the one that ratios refer to.
+# sh benchmarks/run.sh peers [--out DIR] [--repeats N] [--works "NAME ..."] [--keep]: times scree side by side with
+# LAMMPS and LIGGGHTS and leaves peers.csv, the tables, a chart and what machine it was in DIR (out/peers).
+# --works: some of bed bed100k flow clumps bucket scale. --keep also puts the results under benchmarks/results/.
+# LAMMPS='lmp /path/to/lmp' and LIGGGHTS='...' name the binaries to time.
 set -u
 root=$(CDPATH='' cd -- "$(dirname -- "$0")/../.." && pwd) || exit 1
 . "$root/cmake/setup.sh"
 
 out=$root/out/peers
-repeats=7
-steps=300
-warm=100
+repeats=5
+works="bed bed100k flow clumps bucket scale"
 keep=false
 while [ $# -gt 0 ]; do
   case $1 in
   --out) out=${2-} && shift ;;
   --repeats) repeats=${2-} && shift ;;
-  --steps) steps=${2-} && shift ;;
+  --works) works=${2-} && shift ;;
   --keep) keep=true ;;
-  *) die "unknown option '$1'; there are --out DIR, --repeats N, --steps N, --keep" ;;
+  *) die "unknown option '$1'; there are --out DIR, --repeats N, --works \"NAME ...\", --keep" ;;
   esac
   shift || die "the last option lacks its value"
 done
 [ -n "$out" ] || die "--out needs a folder"
+for work in $works; do
+  case $work in
+  bed | bed100k | flow | clumps | bucket | scale) ;;
+  *) die "no work is named '$work'" ;;
+  esac
+done
 
 LAMMPS=${LAMMPS:-lmp}
-if [ "$LAMMPS" = lmp ]; then
-  install_missing lmp:lammps taskset:util-linux
-else
-  install_missing taskset:util-linux
-fi
+LIGGGHTS=${LIGGGHTS:-liggghts}
+set -- taskset:util-linux /usr/bin/time:time
+[ "$LAMMPS" != lmp ] || set -- "$@" lmp:lammps
+[ "$LIGGGHTS" != liggghts ] || set -- "$@" liggghts:liggghts
+install_missing "$@"
 for preset in generic native; do
   configure "$preset" || exit 1
   build "$preset" benchmark_peers || exit 1
 done
 mkdir -p "$out" || exit 1
 native=$root/build/native/benchmarks/peers
-generic=$root/build/generic/benchmarks/peers
-deck=$root/benchmarks/peers/lammps_bed.in
-lammps=${LAMMPS%% *}
+portable=$root/build/generic/benchmarks/peers
+decks=$root/benchmarks/peers
+two=false
+[ "$(processors)" -lt 2 ] || two=true
 
-# lammps_run NAME [-var NAME VALUE]...: LAMMPS's output in $out/NAME.log.
-lammps_run() {
-  log=$out/$1.log
-  shift
-  # shellcheck disable=SC2086 # a launcher with its options, or nothing
-  ${launcher-} "$lammps" -in "$deck" -log none -var warm "$warm" -var steps "$steps" "$@" >"$log" 2>&1 </dev/null || {
+# peer_run BINARY THREADS NAME [-var NAME VALUE]...: LAMMPS or LIGGGHTS, output and peak memory in $out/NAME.log.
+peer_run() {
+  binary=$1 threads=$2 log=$out/$3.log
+  shift 3
+  deck=$decks/lammps.in
+  case " $LIGGGHTS " in *" $binary "*) deck=$decks/liggghts.in ;; esac
+  launcher="taskset -c 0-$((threads - 1)) /usr/bin/time -f %M,KiB"
+  # taskset before mpirun: the ranks inherit it.
+  [ "$threads" = 1 ] || launcher="$launcher mpirun --allow-run-as-root --bind-to none -np $threads"
+  # shellcheck disable=SC2086 # a launcher with its options
+  (cd "$out" && $launcher "$binary" -in "$deck" -log none "$@") >"$log" 2>&1 </dev/null || {
     cat "$log" >&2
-    die "LAMMPS failed: $lammps"
+    die "$binary failed"
   }
 }
 
-# ---- the work, and whether both do the same --------------------------------------------------------------------
+# ---- the beds ----------------------------------------------------------------------------------------------------
 
-bed=$out/bed.txt
-if [ ! -f "$bed" ]; then
-  say "Settling the bed (once, about a minute)"
-  "$native" make "$out/bed.part" --threads "$(processors)" && mv "$out/bed.part" "$bed" || exit 1
-fi
-grains=$(head -n 1 "$bed" | cut -d ' ' -f 1)
-"$native" data "$bed" "$out/bed.data" && "$native" data --squeezed "$bed" "$out/squeezed.data" || exit 1
-lammps_run check_forces -var data "$out/squeezed.data" -var check forces -var friction 1e4 -var dump "$out/forces.dump"
-lammps_run check_places -var data "$out/bed.data" -var check places -var dump "$out/places.dump"
-"$generic" same "$bed" "$out/forces.dump" "$out/places.dump" --steps "$warm" >"$out/same.txt" || exit 1
+# made FILE COMMAND...: runs the command, which writes FILE.part, unless FILE is there.
+made() {
+  file=$out/$1
+  shift
+  [ -f "$file" ] && return
+  say "Making ${file##*/}"
+  "$@" && mv "$file.part" "$file" || exit 1
+}
+cores=$(processors)
+tilt=30
+made cell.bed "$native" make "$out/cell.bed.part" --threads "$cores"
+made bed.bed "$native" tile "$out/cell.bed" "$out/bed.bed.part" 2 2
+for work in $works; do
+  case $work in
+  bed100k) made bed100k.bed "$native" tile "$out/cell.bed" "$out/bed100k.bed.part" 4 5 ;;
+  flow) made flow.bed "$native" flow "$out/bed.bed" "$out/flow.bed.part" --tilt $tilt --steps 15000 --threads "$cores" ;;
+  clumps)
+    made clump_cell.bed "$native" make "$out/clump_cell.bed.part" --shape tetrahedron --threads "$cores"
+    made clumps.bed "$native" tile "$out/clump_cell.bed" "$out/clumps.bed.part" 2 2
+    ;;
+  bucket) made bucket.bed "$native" room "$out/bed.bed" "$out/bucket.bed.part" "$out/bucket.stl" ;;
+  scale)
+    made bed100k.bed "$native" tile "$out/cell.bed" "$out/bed100k.bed.part" 4 5
+    made bed1000k.bed "$native" tile "$out/cell.bed" "$out/bed1000k.bed.part" 10 20
+    ;;
+  esac
+done
+for bed in bed bed100k flow clumps bucket; do
+  [ ! -f "$out/$bed.bed" ] || made "$bed.data" "$native" data "$out/$bed.bed" "$out/$bed.data.part"
+done
+
+# ---- whether all do the same ---------------------------------------------------------------------------------------
+
+# same_forces BINARY BED [-var ...]: both builds of scree beside another code.
+same_forces() {
+  binary=$1 bed=$2
+  shift 2
+  made "$bed.squeezed" "$native" data --squeezed "$out/$bed.bed" "$out/$bed.squeezed.part"
+  rm -f "$out/forces.dump"
+  peer_run "$binary" 1 check -var data "$out/$bed.squeezed" -var warm 0 -var steps 0 -var check forces -var first 1 \
+    -var friction 1e4 -var dump "$out/forces.dump" "$@"
+  for program in "$portable" "$native"; do
+    echo "$bed, $binary:"
+    "$program" same "$out/$bed.bed" "$out/forces.dump" || exit 1
+  done
+}
+lammps=${LAMMPS%% *}
+{
+  same_forces "$lammps" bed
+  same_forces "${LIGGGHTS%% *}" bed
+  [ ! -f "$out/clumps.bed" ] || same_forces "$lammps" clumps -var grains clumps
+  peer_run "$lammps" 1 check -var data "$out/bed.data" -var warm 100 -var steps 0 -var check places \
+    -var dump "$out/places.dump"
+  "$native" places "$out/bed.bed" "$out/places.dump" --steps 100 || exit 1
+} >"$out/same.txt"
 cat "$out/same.txt"
+grep -q '^after' "$out/same.txt" || exit 1
 
-# ---- what it runs on --------------------------------------------------------------------------------------------
+# ---- what it runs on -----------------------------------------------------------------------------------------------
 
 commit=$(git -C "$root" rev-parse --short HEAD 2>/dev/null || echo unknown)
 [ -z "$(git -C "$root" status --porcelain -- include benchmarks cmake 2>/dev/null)" ] || commit=$commit+changes
-cpu=$(cpu_name)
 flags_of() {
   tr -d '\n' <"$root/build/$1/compile_commands.json" | tr '{' '\n' | sed -n '/benchmarks\/peers\/main/p' |
     tr ' ' '\n' | grep -E '^-(O|std|D|m|f)' | grep -v '^-fdiagnostics' | tr '\n' ' '
 }
+# version_of BINARY
+version_of() {
+  "$1" -h 2>/dev/null </dev/null |
+    sed -n 's/^Large-scale Atomic[^-]*Simulator - //p; s/^LIGGGHTS (Version \([^,]*\),.*/\1/p' | head -n 1
+}
 {
   echo "date:     $(date -u +%Y-%m-%d)"
-  echo "cpu:      $cpu, $(processors) processors"
+  echo "cpu:      $(cpu_name), $(processors) processors"
   echo "system:   $(sed -n 's/^PRETTY_NAME="\(.*\)"/\1/p' /etc/os-release 2>/dev/null), $(uname -sr)"
   echo "scree:    $commit"
   echo "compiler: $(c++ --version | head -n 1)"
-  echo "generic:  $(flags_of generic)"
+  echo "portable: $(flags_of generic)"
   echo "native:   $(flags_of native)"
-  for lammps in $LAMMPS; do
-    echo "LAMMPS:   $("$lammps" -h 2>/dev/null | grep -m 1 'Simulator') ($lammps)"
-  done
-  echo "work:     $grains spheres, $warm steps before $steps timed ones, $repeats repeats in turn"
+  for binary in $LAMMPS; do echo "LAMMPS:   $(version_of "$binary") ($binary)"; done
+  for binary in $LIGGGHTS; do echo "LIGGGHTS: $(version_of "$binary") ($binary)"; done
+  echo "repeats:  $repeats, all codes in turn"
 } >"$out/machine.txt"
 
-# ---- repeats in turn, each a fresh process on the same core ------------------------------------------------------
+# ---- repeats in turn, each a fresh process on the same core --------------------------------------------------------
 
-contacts=0
-# time_scree NAME PROGRAM REAL THREADS [options]
+# time_scree WORK CODE REAL THREADS BED WARM STEPS [options]
 time_scree() {
-  name=$1 program=$2 real=$3 threads=$4
-  shift 4
-  result=$(taskset -c "0-$((threads - 1))" "$program" time "$bed" --real "$real" --threads "$threads" \
+  work=$1 code=$2 real=$3 threads=$4 bed=$5 warm=$6 steps=$7
+  shift 7
+  program=$native
+  case $code in *portable*) program=$portable ;; esac
+  result=$(taskset -c "0-$((threads - 1))" "$program" time "$out/$bed.bed" --real "$real" --threads "$threads" \
     --warm "$warm" --steps "$steps" "$@") || exit 1
-  contacts=$(echo "$result" | cut -d ' ' -f 2)
-  [ "$(echo "$result" | cut -d ' ' -f 3)" = 0 ] || say "warning: $name renewed its lists within the timed steps"
-  echo "$name;$commit;$real;$threads;${result%% *}" >>"$out/repeats.txt"
+  # grains;contacts;steps;MB;renewals;seconds
+  echo "$work;$code;$commit;$real;$threads;$(echo "$result" | cut -d ';' -f 1-4,6)" >>"$out/repeats.txt"
 }
-# time_lammps THREADS: the binary $lammps
-time_lammps() {
-  threads=$1
-  launcher="taskset -c 0-$((threads - 1))"
-  # taskset before mpirun: the ranks inherit it.
-  [ "$threads" = 1 ] || launcher="$launcher mpirun --allow-run-as-root --bind-to none -np $threads"
-  lammps_run timed -var data "$out/bed.data"
+# time_peer WORK BINARY THREADS BED WARM STEPS [-var ...]
+time_peer() {
+  work=$1 binary=$2 threads=$3 bed=$4 warm=$5 steps=$6
+  shift 6
+  peer_run "$binary" "$threads" timed -var data "$out/$bed.data" -var warm "$warm" -var steps "$steps" "$@"
   seconds=$(sed -n '/^timed part/,$s/^Loop time of \([^ ]*\) .*/\1/p' "$log")
   [ -n "$seconds" ] || die "no loop time in $log"
-  grep -q 'Neighbor list builds = 0' "$log" || say "warning: LAMMPS renewed its lists"
-  version=$(sed -n 's/^LAMMPS (\([^)]*\)).*/\1/p' "$log" | head -n 1)
-  label=LAMMPS
-  [ "$lammps" = "${LAMMPS%% *}" ] || label="LAMMPS ($lammps)"
-  echo "$label;$version;double;$threads;$seconds" >>"$out/repeats.txt"
+  megabytes=$(sed -n 's/^\([0-9]*\),KiB$/\1/p' "$log" | awk '{ print $1 / 1024 }')
+  [ "$threads" = 1 ] || megabytes=0 # that of mpirun
+  case " $LIGGGHTS " in
+  *" $binary "*) label=LIGGGHTS first=${LIGGGHTS%% *} ;;
+  *) label=LAMMPS first=${LAMMPS%% *} ;;
+  esac
+  [ "$binary" = "$first" ] || label="$label ($binary)"
+  grains=$(head -n 1 "$out/$bed.bed" | cut -d ' ' -f 1)
+  echo "$work;$label;$(version_of "$binary");double;$threads;$grains;0;$steps;$megabytes;$seconds" >>"$out/repeats.txt"
+}
+# peers_on WORK THREADS BED WARM STEPS [-var ...]
+peers_on() {
+  work_=$1 threads_=$2
+  shift 2
+  for each in $LAMMPS $LIGGGHTS; do time_peer "$work_" "$each" "$threads_" "$@"; done
+}
+# scree_on WORK THREADS BED WARM STEPS [options]
+scree_on() {
+  work_=$1 threads_=$2
+  shift 2
+  time_scree "$work_" "scree portable" double "$threads_" "$@"
+  time_scree "$work_" "scree native" double "$threads_" "$@"
+  [ "$threads_" != 1 ] || time_scree "$work_" "scree native" float 1 "$@"
 }
 
-two=false
-[ "$(processors)" -lt 2 ] || two=true
 : >"$out/repeats.txt"
 repeat=0
 while [ "$repeat" -lt "$repeats" ]; do
   repeat=$((repeat + 1))
   say "Repeat $repeat of $repeats"
-  for lammps in $LAMMPS; do time_lammps 1; done
-  time_scree "scree generic" "$generic" double 1
-  time_scree "scree generic + energy audit" "$generic" double 1 --audit
-  time_scree "scree native" "$native" double 1
-  time_scree "scree native + energy audit" "$native" double 1 --audit
-  time_scree "scree native + energy audit" "$native" float 1 --audit
-  if $two; then
-    if command -v mpirun >/dev/null 2>&1; then
-      for lammps in $LAMMPS; do time_lammps 2; done
-    fi
-    time_scree "scree generic" "$generic" double 2
-    time_scree "scree native" "$native" double 2
-  fi
+  for work in $works; do
+    case $work in
+    bed)
+      peers_on bed 1 bed 100 300
+      scree_on bed 1 bed 100 300
+      time_scree bed "scree portable + audit" double 1 bed 100 300 --audit
+      time_scree bed "scree native + audit" double 1 bed 100 300 --audit
+      if $two; then
+        peers_on bed 2 bed 100 300
+        scree_on bed 2 bed 100 300
+      fi
+      ;;
+    bed100k)
+      peers_on bed100k 1 bed100k 30 100
+      scree_on bed100k 1 bed100k 30 100
+      if $two; then
+        for each in $LAMMPS; do time_peer bed100k "$each" 2 bed100k 30 100; done
+        scree_on bed100k 2 bed100k 30 100
+      fi
+      ;;
+    flow)
+      peers_on flow 1 flow 200 1000 -var skin 0.002 -var tilt $tilt
+      scree_on flow 1 flow 200 1000 --tilt $tilt
+      ;;
+    clumps)
+      for each in $LAMMPS; do time_peer clumps "$each" 1 clumps 100 300 -var grains clumps; done
+      scree_on clumps 1 clumps 100 300
+      ;;
+    bucket)
+      time_peer "no bucket" "${LIGGGHTS%% *}" 1 bucket 200 400
+      time_peer "bucket 520" "${LIGGGHTS%% *}" 1 bucket 200 400 -var bucket 1 -var stl "$out/bucket.stl"
+      time_scree "no bucket" "scree native" double 1 bucket 500 1000
+      time_scree "bucket 520" "scree native" double 1 bucket 500 1000 --bucket simplified
+      time_scree "bucket 5000" "scree native" double 1 bucket 500 1000 --bucket detailed
+      ;;
+    scale)
+      time_scree "scale 5k" "scree native" double 1 cell 100 1000
+      time_scree "scale 20k" "scree native" double 1 bed 100 300
+      time_scree "scale 100k" "scree native" double 1 bed100k 30 100
+      time_scree "scale 1000k" "scree native" double 1 bed1000k 10 20
+      ;;
+    esac
+  done
 done
 
-# ---- table and chart ---------------------------------------------------------------------------------------------
+# ---- tables and chart ----------------------------------------------------------------------------------------------
 
 cat "$out/machine.txt"
-"$native" table "$out/repeats.txt" "$out/peers.csv" --grains "$grains" --contacts "$contacts" --steps "$steps" \
-  >"$out/peers.md" || exit 1
-cat "$out/peers.md"
+"$native" table "$out/repeats.txt" "$out" || exit 1
+cat "$out/peers.md" "$out/goals.md"
 gnuplot -e "out='$out'" "$root/benchmarks/peers/chart.gp" || say "warning: no chart (gnuplot failed)"
 
 if $keep; then
   results=$root/benchmarks/results/$(machine_name)
-  mkdir -p "$results" && cp "$out/peers.csv" "$out/peers.md" "$out/machine.txt" "$out/same.txt" "$results/" || exit 1
+  mkdir -p "$results" || exit 1
+  for file in peers.csv peers.md goals.md machine.txt same.txt; do cp "$out/$file" "$results/" || exit 1; done
   say "Kept in $results"
 fi
 echo "$out"

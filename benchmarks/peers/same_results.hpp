@@ -3,6 +3,7 @@
 /// Whether two codes compute the same: the forces of the first step, and where some steps lead.
 
 #include "bed_file.hpp"
+#include "timed_steps.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,42 +23,58 @@ inline PeriodicBed squeezed(PeriodicBed bed, double rate) {
   return bed;
 }
 
-/// One vector for each body, by its id.
+/// One vector for each sphere: those of body 0, of body 1, ...
 using Vectors = std::vector<Vector>;
+
+/// value(sphere) for all spheres of a simulation whose bodies have `members` spheres each, in the order of
+/// the bodies' ids.
+template <class Model, class Value>
+Vectors by_sphere(const Simulation<Model>& simulation, std::size_t members, Value value) {
+  const auto& bodies = simulation.bodies();
+  Vectors out(bodies.sphere_count());
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    for (std::size_t k = 0; k < members; ++k) {
+      out.at(bodies.id(b) * members + k) = value(bodies.first_sphere(b) + k);
+    }
+  }
+  return out;
+}
+
+inline std::size_t members_of(const PeriodicBed& bed) {
+  return bed.packing.shapes.front().spheres.size();
+}
 
 /// N, of contacts and floor on every sphere in the first step, by scree. The step is so short that the
 /// springs' growth in it, which LAMMPS leaves out at the start of a run, is below rounding, and no contact
 /// may slide: one that slides without a spring has no friction there in LAMMPS.
-inline Vectors first_forces(const PeriodicBed& bed) {
-  Simulation<> simulation{bed_setup<DefaultModel>(bed, 1, 1e-16)};
-  fill(simulation, bed);
+template <class Model>
+Vectors first_forces(const PeriodicBed& bed) {
+  TimedScene<Model> scene{bed, {}, 1e-16};
+  Simulation<Model>& simulation = scene.simulation;
   Material never_sliding = bed_material();
   never_sliding.friction = 1e4;
   simulation.change_material(0, never_sliding);
   simulation.step();
-  const auto& bodies = simulation.bodies();
-  Vectors forces(bodies.size());
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    forces.at(bodies.id(b)) = to_eigen(bodies.forces()[bodies.first_sphere(b)].force);
-  }
-  return forces;
+  return by_sphere(simulation, members_of(bed),
+                   [&](std::size_t s) { return to_eigen(simulation.bodies().forces()[s].force); });
 }
 
-/// m, by which each sphere moves in some steps from rest, by scree.
+/// m, where some steps lead each sphere, by scree; less whole periods.
 inline Vectors displacements(const PeriodicBed& bed, int steps) {
-  Simulation<> simulation{bed_setup<DefaultModel>(bed, 1)};
-  fill(simulation, bed);
-  for (int k = 0; k < steps; ++k) {
-    simulation.step();
-  }
-  const auto& bodies = simulation.bodies();
-  Vectors moved(bodies.size());
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    Vector by = bodies.position(b) - bed.packing.bodies.at(bodies.id(b)).position;
+  TimedScene<TimedModel<double, false>> scene{bed, {}};
+  const auto& simulation = scene.simulation;
+  const auto places = [&] {
+    return by_sphere(simulation, members_of(bed),
+                     [&](std::size_t s) { return to_eigen(simulation.bodies().spheres()[s].position); });
+  };
+  const Vectors before = places();
+  scene.advance(steps);
+  Vectors moved = places();
+  for (std::size_t k = 0; k < moved.size(); ++k) {
+    moved[k] -= before[k];
     for (const int d : {0, 1}) {
-      by[d] -= bed.period[d] * std::round(by[d] / bed.period[d]);
+      moved[k][d] -= bed.period[d] * std::round(moved[k][d] / bed.period[d]);
     }
-    moved.at(bodies.id(b)) = by;
   }
   return moved;
 }
@@ -85,12 +102,22 @@ inline Vectors read_dump(const std::filesystem::path& path, std::size_t atoms) {
   return values;
 }
 
+/// The spheres of a bed, in the order of their bodies.
+inline std::vector<Sphere> spheres_of(const PeriodicBed& bed) {
+  std::vector<Sphere> out;
+  for (const PackedBody& body : bed.packing.bodies) {
+    const auto own = spheres_in_space(bed.packing, body);
+    out.insert(out.end(), own.begin(), own.end());
+  }
+  return out;
+}
+
 /// first_forces() by LAMMPS, from its dump of `fx fy fz`, which has gravity in it.
 inline Vectors lammps_forces(const std::filesystem::path& dump, const PeriodicBed& bed) {
-  const auto& bodies = bed.packing.bodies;
-  Vectors forces = read_dump(dump, bodies.size());
-  for (std::size_t k = 0; k < bodies.size(); ++k) {
-    const double mass = bed_material().density * unit_ball().volume * std::pow(bodies[k].scale, 3);
+  const std::vector<Sphere> spheres = spheres_of(bed);
+  Vectors forces = read_dump(dump, spheres.size());
+  for (std::size_t k = 0; k < spheres.size(); ++k) {
+    const double mass = bed_material().density * unit_ball().volume * std::pow(spheres[k].radius, 3);
     forces[k].z() += 9.81 * mass;
   }
   return forces;
@@ -98,10 +125,10 @@ inline Vectors lammps_forces(const std::filesystem::path& dump, const PeriodicBe
 
 /// displacements() by LAMMPS, from its dump of `xu yu zu`.
 inline Vectors lammps_displacements(const std::filesystem::path& dump, const PeriodicBed& bed) {
-  const auto& bodies = bed.packing.bodies;
-  Vectors moved = read_dump(dump, bodies.size());
-  for (std::size_t k = 0; k < bodies.size(); ++k) {
-    moved[k] -= bodies[k].position;
+  const std::vector<Sphere> spheres = spheres_of(bed);
+  Vectors moved = read_dump(dump, spheres.size());
+  for (std::size_t k = 0; k < spheres.size(); ++k) {
+    moved[k] -= spheres[k].centre;
   }
   return moved;
 }
