@@ -259,13 +259,22 @@ private:
     std::size_t slots = 0;
     for (Block& block : blocks_) {
       block.incoming.clear();
+      block.feeds.clear();
+      block.feeders = 0;
     }
+    std::vector<std::size_t> fed_by(blocks_.size(), never);
     for (std::size_t b = 0; b < blocks_.size(); ++b) {
       blocks_[b].first_slot = slots;
       for (const Packs* packs : {&block_pairs_[b].crossing, &block_pairs_[b].wrapped}) {
         for (std::size_t k = 0; k < packs->size(); ++k) {
           const std::uint32_t j = packs->pair(k).j;
-          blocks_[block_of(blocks_, j)].incoming.push_back({j, static_cast<std::uint32_t>(slots + k)});
+          const std::size_t owner = block_of(blocks_, j);
+          blocks_[owner].incoming.push_back({j, static_cast<std::uint32_t>(slots + k)});
+          if (owner != b && fed_by[owner] != b) {
+            fed_by[owner] = b;
+            blocks_[b].feeds.push_back(static_cast<std::uint32_t>(owner));
+            ++blocks_[owner].feeders;
+          }
         }
         slots += packs->pack_count() * Packs::lanes;
       }

@@ -4,6 +4,7 @@
 
 #include "scree/packing/packing.hpp"
 #include "scree/simulation/contact_lists.hpp"
+#include "scree/simulation/gates.hpp"
 #include "scree/simulation/model.hpp"
 #include "scree/simulation/motion_loop.hpp"
 #include "scree/simulation/pair_loop.hpp"
@@ -34,7 +35,12 @@ struct ContactView {
 
 /// Seconds of wall time spent in the parts of the time step.
 struct StepTimes {
-  double search = 0.0, forces = 0.0, motion = 0.0, walls = 0.0;
+  double search = 0.0;  ///< lists
+  double contact = 0.0; ///< forces between grains
+  double walls = 0.0;   ///< forces of walls on grains, and the motion of walls
+  double motion = 0.0;  ///< of grains
+
+  [[nodiscard]] double total() const { return search + contact + walls + motion; }
 };
 
 /// Grains, walls and the laws between them, as `Model` composes them (simulation/model.hpp).
@@ -335,6 +341,7 @@ private:
     std::vector<WallSum> walls;
     Dissipation lost;
     double fastest = 0.0;
+    StepTimes spent; // by the thread that had it
   };
 
   [[nodiscard]] auto pair_material() const {
@@ -351,6 +358,7 @@ private:
   }
 
   void compute_forces(std::size_t b) {
+    const auto begin = Clock::now();
     const Block& block = lists_.blocks()[b];
     BlockResult& result = block_results_[b];
     const auto forces = bodies_.forces().subspan(block.first_sphere, block.end_sphere - block.first_sphere);
@@ -366,16 +374,40 @@ private:
     if (pairs.wrapped.size() > 0) {
       pair_loop<true>().add_to_first(pairs.wrapped, slots.subspan(crossing), result.lost);
     }
+    const auto at_walls = Clock::now();
     add_wall_forces<Model::energy_audit>(setup_.contact, pair_material(), std::span<const WallBody>{walls_},
                                          dt, bodies_, lists_.wall_block(b), std::span<WallSum>{result.walls},
                                          result.lost);
+    result.spent.contact = seconds(begin, at_walls);
+    result.spent.walls = seconds(at_walls, Clock::now());
   }
 
   void move(std::size_t b, const TimeStep& now) {
+    const auto begin = Clock::now();
     const Block& block = lists_.blocks()[b];
+    BlockResult& result = block_results_[b];
     fetch_forces(block, std::as_const(lists_).slots(), bodies_);
-    block_results_[b].fastest = move_bodies<typename Model::Integrator, Model::energy_audit>(
-        block, now, setup_.local_damping, bodies_, block_results_[b].lost);
+    result.fastest = move_bodies<typename Model::Integrator, Model::energy_audit>(
+        block, now, setup_.local_damping, bodies_, result.lost);
+    result.spent.motion = seconds(begin, Clock::now());
+  }
+
+  static double seconds(Clock::time_point from, Clock::time_point to) {
+    return std::chrono::duration<double>(to - from).count();
+  }
+
+  /// Deals the wall time of the loop over blocks out by what the threads spent in its parts.
+  void note_times(double loop) {
+    StepTimes sum;
+    for (const BlockResult& result : block_results_) {
+      sum.contact += result.spent.contact;
+      sum.walls += result.spent.walls;
+      sum.motion += result.spent.motion;
+    }
+    const double share = sum.total() > 0.0 ? loop / sum.total() : 0.0;
+    times_.contact += share * sum.contact;
+    times_.walls += share * sum.walls;
+    times_.motion += share * sum.motion;
   }
 
   /// Sums what the blocks found, in their order. Returns the largest speed of a sphere [m/s].
@@ -473,6 +505,7 @@ private:
   std::size_t steps_ = 0, start_steps_ = 0;
   bool started_ = false, half_kick_ = true, limit_known_ = false;
   Dissipation lost_;
+  detail::Gates gates_;
   StepTimes times_;
 };
 
@@ -507,10 +540,12 @@ void Simulation<Model>::step() {
   const auto t1 = Clock::now();
   // Velocities given at the start stand at the step itself; the first kick takes them half a step on.
   const TimeStep now{time_, dt_, half_kick_ ? 0.5 * dt_ : dt_, setup_.gravity};
-  workers_.for_each(lists_.blocks().size(), [&](std::size_t b) { compute_forces(b); });
+  gates_.shut(lists_.blocks());
+  workers_.for_each(lists_.blocks().size(), [&](std::size_t b) {
+    compute_forces(b);
+    gates_.done(b, lists_.blocks()[b], [&](std::size_t ready) { move(ready, now); });
+  });
   const auto t2 = Clock::now();
-  workers_.for_each(lists_.blocks().size(), [&](std::size_t b) { move(b, now); });
-  const auto t3 = Clock::now();
   const double fastest = gather(now);
   for (WallBody& wall : walls_) {
     std::visit([&](auto& dynamics) { dynamics.advance(wall.motion, wall.load, now); }, wall.dynamics);
@@ -519,12 +554,9 @@ void Simulation<Model>::step() {
   half_kick_ = false;
   ++steps_;
   time_ = start_time_ + static_cast<double>(steps_ - start_steps_) * dt_;
-  const auto t4 = Clock::now();
-  const auto seconds = [](auto from, auto to) { return std::chrono::duration<double>(to - from).count(); };
   times_.search += seconds(t0, t1);
-  times_.forces += seconds(t1, t2);
-  times_.motion += seconds(t2, t3);
-  times_.walls += seconds(t3, t4);
+  note_times(seconds(t1, t2));
+  times_.walls += seconds(t2, Clock::now());
 }
 
 } // namespace scree

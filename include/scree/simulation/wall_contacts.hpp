@@ -7,6 +7,8 @@
 #include "scree/state/blocks.hpp"
 #include "scree/walls/wall.hpp"
 
+#include <boost/container/small_vector.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -99,6 +101,22 @@ Vector slip_velocity(const SphereRecord<Real>& sphere, const WallMotion& wall, c
   return now + 0.5 * (before + tilt.cross(before) - along(now, normal));
 }
 
+/// What the contacts of a step ask of a wall again and again.
+struct WallInStep {
+  Matrix axes; ///< of the wall's frame, in space
+  Vector position;
+  double inverse_mass; ///< 1/kg, as a contact sees it
+
+  template <class AnyWall>
+  explicit WallInStep(const AnyWall& wall)
+      : axes{wall.motion.orientation.toRotationMatrix()},
+        position{wall.motion.position},
+        inverse_mass{wall.inverse_mass()} {}
+  [[nodiscard]] Vector to_wall(const Vector& in_space) const {
+    return axes.transpose() * (in_space - position);
+  }
+};
+
 /// Adds the forces of the walls to the spheres of a block, and what the walls feel to `sums` (one for each
 /// wall).
 template <bool audit, ContactLaw Law, class Real, class AnyWall, class PairMaterials>
@@ -112,14 +130,19 @@ void add_wall_forces(const Law& law, const PairMaterials& pair_material, std::sp
   const auto forces = bodies.forces();
   auto old = block.before.begin();
   SurfaceContacts found;
+  boost::container::small_vector<WallInStep, 4> in_step;
+  for (const AnyWall& wall : walls) {
+    in_step.emplace_back(wall);
+  }
   for (const WallCandidate& candidate : block.candidates) {
     const AnyWall& wall = walls[candidate.wall];
+    const WallInStep& here = in_step[candidate.wall];
     const WallSurface& surface = wall.surfaces[candidate.surface];
     const SphereRecord<Real>& sphere = spheres[candidate.sphere];
     const Vector centre = to_eigen(sphere.position);
     found.clear();
-    surface.touch({block.facets.data() + candidate.first_facet, candidate.facet_count},
-                  wall.motion.to_wall(centre), sphere.radius, found);
+    surface.touch({block.facets.data() + candidate.first_facet, candidate.facet_count}, here.to_wall(centre),
+                  sphere.radius, found);
     if (found.empty()) {
       continue;
     }
@@ -132,7 +155,7 @@ void add_wall_forces(const Law& law, const PairMaterials& pair_material, std::sp
       ++old_end;
     }
     for (const SurfaceContact& contact : found) {
-      const Vector normal = wall.motion.orientation * contact.normal;
+      const Vector normal = here.axes * contact.normal;
       Vector tilt = Vector::Zero();
       Contact now{candidate.sphere,
                   candidate.wall,
@@ -171,7 +194,7 @@ void add_wall_forces(const Law& law, const PairMaterials& pair_material, std::sp
       k.spin_j = to_vec3<Real>(wall.motion.angular_velocity);
       k.velocity = to_vec3<Real>(slip_velocity(sphere, wall.motion, now.normal, tilt, arm, dt));
       k.reduced_radius = static_cast<Real>(sphere.radius);
-      k.reduced_mass = Real{1} / (sphere.inverse_mass + static_cast<Real>(wall.inverse_mass()));
+      k.reduced_mass = Real{1} / (sphere.inverse_mass + static_cast<Real>(here.inverse_mass));
       k.root_mass = std::sqrt(k.reduced_mass);
       k.turn = to_vec3<Real>(tilt) + k.normal * (Real(0.5) * dot(k.spin_i + k.spin_j, k.normal) * dt);
       k.dt = dt;
@@ -183,7 +206,7 @@ void add_wall_forces(const Law& law, const PairMaterials& pair_material, std::sp
       now.force = to_eigen(force);
       WallSum& sum = sums[candidate.wall];
       sum.force -= now.force;
-      sum.moment -= (now.point - wall.motion.position).cross(now.force) + to_eigen(f.couple);
+      sum.moment -= (now.point - here.position).cross(now.force) + to_eigen(f.couple);
       ++sum.contacts;
       if constexpr (audit) {
         lost.friction += static_cast<double>(f.frictional_work);

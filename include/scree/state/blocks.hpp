@@ -24,14 +24,16 @@ struct Block {
     std::uint32_t sphere;
     std::uint32_t slot;
   };
-  std::vector<Incoming> incoming; ///< in the order of the blocks and pairs that they come from
+  std::vector<Incoming> incoming;   ///< in the order of the blocks and pairs that they come from
+  std::vector<std::uint32_t> feeds; ///< later blocks with spheres that pairs of this one act on, once each
+  std::size_t feeders = 0;          ///< number of earlier blocks that feed this one
 };
 
-/// Divides bodies into blocks of at least `least_spheres`, at most about 64 of them.
+/// Divides bodies into blocks that fit into a core's own cache with all that belongs to them: some 0.6 MB
+/// each. Smaller ones have more pairs with each other, larger ones keep fewer threads busy.
 template <class Real>
 std::vector<Block> divided(const Bodies<Real>& bodies) {
-  constexpr std::size_t least_spheres = 2048, most_blocks = 64;
-  const std::size_t wanted = std::max(least_spheres, bodies.sphere_count() / most_blocks + 1);
+  constexpr std::size_t wanted = 2048; // spheres; ours, 512 to 4096 were timed
   std::vector<Block> blocks;
   Block block;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
