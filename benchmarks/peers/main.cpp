@@ -18,6 +18,7 @@
 #include <map>
 #include <numbers>
 #include <string>
+#include <utility>
 
 namespace {
 
@@ -28,13 +29,13 @@ constexpr double squeeze_rate = 0.1; // 1/s
 const std::map<std::string, BucketDetail> bucket_details{{"simplified", BucketDetail::simplified},
                                                          {"detailed", BucketDetail::detailed}};
 
-Timed timed(const PeriodicBed& bed, const std::string& real, bool audit, const TimedRun& run) {
+Timed timed(PeriodicBed bed, const std::string& real, bool audit, const TimedRun& run) {
   if (real == "float") {
-    return audit ? timed_steps<TimedModel<float, true>>(bed, run)
-                 : timed_steps<TimedModel<float, false>>(bed, run);
+    return audit ? timed_steps<TimedModel<float, true>>(std::move(bed), run)
+                 : timed_steps<TimedModel<float, false>>(std::move(bed), run);
   }
-  return audit ? timed_steps<TimedModel<double, true>>(bed, run)
-               : timed_steps<TimedModel<double, false>>(bed, run);
+  return audit ? timed_steps<TimedModel<double, true>>(std::move(bed), run)
+               : timed_steps<TimedModel<double, false>>(std::move(bed), run);
 }
 
 /// The bed as it flows after some steps under tilted gravity, with all motion.

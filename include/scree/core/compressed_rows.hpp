@@ -30,11 +30,10 @@ public:
   template <class Fill>
   void build(std::size_t count, Workers& workers, Fill fill) {
     const std::size_t chunks = (count + chunk - 1) / chunk;
-    parts_.resize(std::max(parts_.size(), chunks));
+    std::vector<std::vector<T>> parts(chunks);
     start_.assign(count + 1, 0);
     workers.for_each(chunks, [&](std::size_t c) {
-      auto& part = parts_[c];
-      part.clear();
+      auto& part = parts[c];
       for (std::size_t i = c * chunk; i < std::min(count, (c + 1) * chunk); ++i) {
         const std::size_t before = part.size();
         fill(i, part);
@@ -46,8 +45,9 @@ public:
     }
     items_.resize(start_[count]);
     workers.for_each(chunks, [&](std::size_t c) {
-      std::copy(parts_[c].begin(), parts_[c].end(),
+      std::copy(parts[c].begin(), parts[c].end(),
                 items_.begin() + static_cast<std::ptrdiff_t>(start_[c * chunk]));
+      parts[c] = {};
     });
   }
 
@@ -56,7 +56,6 @@ private:
 
   std::vector<std::size_t> start_{0};
   std::vector<T> items_;
-  std::vector<std::vector<T>> parts_;
 };
 
 } // namespace scree

@@ -199,33 +199,36 @@ private:
       throw Error(message("bodies: ", spheres.size(), " spheres are more than the ", Packs::most_spheres,
                           " that one simulation holds"));
     }
-    balls_.resize(spheres.size());
+    // None of this is kept: it would be a fifth of all memory.
+    std::vector<Ball> balls(spheres.size());
+    std::vector<Domain::Image> images;
+    CandidateRows candidates;
     double smallest = std::numeric_limits<double>::infinity(), largest = 0.0;
     for (std::size_t s = 0; s < spheres.size(); ++s) {
-      balls_[s] = {spheres[s].position, spheres[s].radius};
+      balls[s] = {spheres[s].position, spheres[s].radius};
       smallest = std::min(smallest, spheres[s].radius);
       largest = std::max(largest, spheres[s].radius);
     }
-    skin_ = balls_.empty() ? 0.0 : search_.skin(smallest);
-    domain.add_images(balls_, 2.0 * largest + skin_, images_);
-    search_.find(balls_, spheres.size(), skin_, workers, candidates_);
+    skin_ = balls.empty() ? 0.0 : search_.skin(smallest);
+    domain.add_images(balls, 2.0 * largest + skin_, images);
+    search_.find(balls, spheres.size(), skin_, workers, candidates);
     pairs_.renew(spheres.size(), workers, [&](std::size_t i, std::vector<Partner>& row) {
-      for (const std::uint32_t k : candidates_.row(i)) {
-        append_partner(bodies, i, k, row);
+      for (const std::uint32_t k : candidates.row(i)) {
+        append_partner(bodies, images, i, k, row);
       }
     });
   }
 
   /// Members of one body do not touch, nor do two fixed bodies.
-  void append_partner(const Bodies<Real>& bodies, std::size_t i, std::uint32_t k,
-                      std::vector<Partner>& row) const {
+  static void append_partner(const Bodies<Real>& bodies, std::span<const Domain::Image> images, std::size_t i,
+                             std::uint32_t k, std::vector<Partner>& row) {
     const std::size_t owned = bodies.sphere_count();
     const bool image = k >= owned;
-    const std::uint32_t j = image ? images_[k - owned].owner : k;
+    const std::uint32_t j = image ? images[k - owned].owner : k;
     const auto spheres = bodies.spheres();
     const bool both_fixed = !(spheres[i].inverse_mass > 0) && !(spheres[j].inverse_mass > 0);
     if (j > i && bodies.body_of(i) != bodies.body_of(j) && !both_fixed) {
-      row.push_back({j & Partner::most, image ? images_[k - owned].image & 31U : Partner::here});
+      row.push_back({j & Partner::most, image ? images[k - owned].image & 31U : Partner::here});
     }
   }
 
@@ -336,9 +339,6 @@ private:
 
   Search search_;
   std::size_t sort_interval_;
-  std::vector<Ball> balls_;
-  std::vector<Domain::Image> images_;
-  CandidateRows candidates_;
   Pairs pairs_;
   std::vector<Block> blocks_;
   std::vector<OneWallBlock> wall_blocks_;

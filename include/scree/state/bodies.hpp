@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -200,28 +201,38 @@ public:
 
   /// Keeps the bodies listed in `order`, in that order. Returns for each old sphere its new index, or `gone`.
   std::vector<std::uint32_t> rearrange(std::span<const std::uint32_t> order) {
-    std::vector<std::uint32_t> moved_to(spheres_.size(), gone);
-    Bodies next;
-    next.next_id_ = next_id_;
-    next.spheres_.reserve(spheres_.size());
-    for (const std::uint32_t b : order) {
-      next.records_.push_back(records_[b]);
-      next.kinds_.push_back(kinds_[b]);
-      next.ids_.push_back(ids_[b]);
-      next.materials_.push_back(materials_[b]);
-      next.solid_volumes_.push_back(solid_volumes_[b]);
-      next.bounding_radii_.push_back(bounding_radii_[b]);
-      next.mobilities_.push_back(mobilities_[b]);
-      for (std::size_t s = first_[b]; s < first_[b + 1]; ++s) {
-        moved_to[s] = static_cast<std::uint32_t>(next.spheres_.size());
-        next.spheres_.push_back(spheres_[s]);
-        next.forces_.push_back(forces_[s]);
-        next.members_.push_back(members_[s]);
-        next.body_of_.push_back(static_cast<std::uint32_t>(next.records_.size() - 1));
+    std::vector<std::uint32_t> moved_to(spheres_.size(), gone), members, owners, first{0};
+    members.reserve(spheres_.size());
+    for (std::size_t place = 0; place < order.size(); ++place) {
+      const std::uint32_t b = order[place];
+      for (std::uint32_t s = first_[b]; s < first_[b + 1]; ++s) {
+        moved_to[s] = static_cast<std::uint32_t>(members.size());
+        members.push_back(s);
+        owners.push_back(static_cast<std::uint32_t>(place));
       }
-      next.first_.push_back(static_cast<std::uint32_t>(next.spheres_.size()));
+      first.push_back(static_cast<std::uint32_t>(members.size()));
     }
-    *this = std::move(next);
+    first_ = std::move(first);
+    body_of_ = std::move(owners);
+    // One array after the other: there is never more than one copy.
+    const auto pick = [](auto& values, std::span<const std::uint32_t> from) {
+      std::remove_reference_t<decltype(values)> picked;
+      picked.reserve(from.size());
+      for (const std::uint32_t k : from) {
+        picked.push_back(values[k]);
+      }
+      values = std::move(picked);
+    };
+    pick(records_, order);
+    pick(kinds_, order);
+    pick(ids_, order);
+    pick(materials_, order);
+    pick(solid_volumes_, order);
+    pick(bounding_radii_, order);
+    pick(mobilities_, order);
+    pick(spheres_, members);
+    pick(forces_, members);
+    pick(members_, members);
     return moved_to;
   }
 

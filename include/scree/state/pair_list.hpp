@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace scree {
@@ -39,8 +40,8 @@ public:
   /// keeps its history.
   template <class Partners>
   void renew(std::size_t spheres, Workers& workers, Partners partners) {
-    std::swap(rows_, old_rows_);
-    std::swap(history_, old_history_);
+    const CompressedRows<Partner> old_rows = std::exchange(rows_, {});
+    const std::vector<History> old_history = std::exchange(history_, {});
     rows_.build(spheres, workers, [&](std::size_t i, std::vector<Partner>& row) {
       const auto before = static_cast<std::ptrdiff_t>(row.size());
       partners(i, row);
@@ -48,10 +49,10 @@ public:
     });
     history_.assign(rows_.total(), History{});
     constexpr std::size_t chunk = 1024;
-    const std::size_t kept = std::min(spheres, old_rows_.size());
+    const std::size_t kept = std::min(spheres, old_rows.size());
     workers.for_each((kept + chunk - 1) / chunk, [&](std::size_t c) {
       for (std::size_t i = c * chunk; i < std::min(kept, (c + 1) * chunk); ++i) {
-        carry_over(i);
+        carry_over(i, old_rows, old_history);
       }
     });
   }
@@ -107,21 +108,22 @@ public:
   }
 
 private:
-  void carry_over(std::size_t i) {
-    std::size_t old = old_rows_.begin_of(i);
-    const std::size_t old_end = old_rows_.begin_of(i + 1);
+  void carry_over(std::size_t i, const CompressedRows<Partner>& old_rows,
+                  const std::vector<History>& old_history) {
+    std::size_t old = old_rows.begin_of(i);
+    const std::size_t old_end = old_rows.begin_of(i + 1);
     for (std::size_t pair = rows_.begin_of(i); pair < rows_.begin_of(i + 1); ++pair) {
-      while (old < old_end && old_rows_[old].sphere < rows_[pair].sphere) {
+      while (old < old_end && old_rows[old].sphere < rows_[pair].sphere) {
         ++old;
       }
-      if (old < old_end && old_rows_[old].sphere == rows_[pair].sphere) {
-        history_[pair] = old_history_[old];
+      if (old < old_end && old_rows[old].sphere == rows_[pair].sphere) {
+        history_[pair] = old_history[old];
       }
     }
   }
 
-  CompressedRows<Partner> rows_, old_rows_;
-  std::vector<History> history_, old_history_;
+  CompressedRows<Partner> rows_;
+  std::vector<History> history_;
 };
 
 } // namespace scree
