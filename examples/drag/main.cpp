@@ -9,6 +9,7 @@
 #include "scree/measure/state_hash.hpp"
 #include "support/progress.hpp"
 #include "support/results.hpp"
+#include "support/stopwatch.hpp"
 
 #include <fmt/format.h>
 
@@ -131,6 +132,7 @@ private:
     double next_frame = 0.0, next_picture = 0.0;
     scree::DragSample sample = rig.sample();
     const auto record = [&] {
+      const ex::Stopwatch watching{output_};
       table.add(sample);
       if (sample.drag >= next_frame) {
         frames.add(rig);
@@ -145,7 +147,10 @@ private:
     record();
     while (!rig.done()) {
       rig.advance(p_.sample_interval, watch);
-      sample = rig.sample();
+      {
+        const ex::Stopwatch watching{observers_};
+        sample = rig.sample();
+      }
       record();
       progress_(bed_share + (1.0 - bed_share) * sample.drag / p_.setup.drag_distance,
                 fmt::format("drag {:.2f} m, {:.0f} N, pitch {:.1f}°, {:.1f} kg", sample.drag, sample.force,
@@ -163,16 +168,18 @@ private:
   void finish(const Rig& rig) {
     complain(drag::draw_plots(folder_, title()));
     const scree::StepTimes& t = rig.simulation().times();
-    const double stepping = t.search + t.forces + t.motion + t.walls;
-    summary_["wall_time_s"] = progress_.elapsed();
+    const double all = progress_.elapsed(), stepping = t.total();
+    summary_["wall_time_s"] = all;
     summary_["steps"] = rig.simulation().steps();
-    summary_["particle_steps_per_s"] = grain_steps_ / stepping;
+    summary_["grain_steps_per_s"] = grain_steps_ / stepping;
     summary_["sphere_steps_per_s"] = sphere_steps_ / stepping;
-    summary_["time_shares"] = {{"search", t.search / progress_.elapsed()},
-                               {"forces", t.forces / progress_.elapsed()},
-                               {"motion", t.motion / progress_.elapsed()},
-                               {"walls", t.walls / progress_.elapsed()},
-                               {"output_and_observers", 1.0 - stepping / progress_.elapsed()}};
+    summary_["time_shares"] = {{"search", t.search / all},
+                               {"contact", t.contact / all},
+                               {"walls", t.walls / all},
+                               {"integration", t.motion / all},
+                               {"observers", observers_ / all},
+                               {"output", output_ / all},
+                               {"other", 1.0 - (stepping + observers_ + output_) / all}};
     summary_["list_renewals"] = rig.simulation().list_renewals();
     summary_["state_hash"] = fmt::format("{:016x}", scree::state_hash(rig.simulation().bodies()));
     summary_["finished"] = true;
@@ -205,6 +212,7 @@ private:
   Json summary_;
   ex::Progress progress_;
   double grain_steps_ = 0.0, sphere_steps_ = 0.0;
+  double observers_ = 0.0, output_ = 0.0; // s
   std::string last_complaint_;
 };
 
