@@ -25,8 +25,8 @@ function(scree_own_target target)
   if(SCREE_WARNINGS_AS_ERRORS)
     target_compile_options(${target} PRIVATE -Werror)
   endif()
-  if(SCREE_NATIVE)
-    target_compile_options(${target} PRIVATE -march=native)
+  if(SCREE_ARCH)
+    target_compile_options(${target} PRIVATE -march=${SCREE_ARCH})
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
       # GCC 12 finds its own AVX-512 intrinsics uninitialised. It also copies a register of 64 bytes by halves, and then
       # waits for both when they are read as one: a tenth of the time of a step.

@@ -35,13 +35,14 @@ set -- taskset:util-linux /usr/bin/time:time
 [ "$LAMMPS" != lmp ] || set -- "$@" lmp:lammps
 [ "$LIGGGHTS" != liggghts ] || set -- "$@" liggghts:liggghts
 install_missing "$@"
-for preset in generic native; do
+for preset in generic avx2 native; do
   configure "$preset" || exit 1
   build "$preset" benchmark_peers || exit 1
 done
 mkdir -p "$out" || exit 1
 native=$root/build/native/benchmarks/peers
 portable=$root/build/generic/benchmarks/peers
+avx2=$root/build/avx2/benchmarks/peers
 decks=$root/benchmarks/peers
 two=false
 [ "$(processors)" -lt 2 ] || two=true
@@ -142,6 +143,7 @@ version_of() {
   echo "scree:    $commit"
   echo "compiler: $(c++ --version | head -n 1)"
   echo "portable: $(flags_of generic)"
+  echo "AVX2:     $(flags_of avx2)"
   echo "native:   $(flags_of native)"
   for binary in $LAMMPS; do echo "LAMMPS:   $(version_of "$binary") ($binary)"; done
   for binary in $LIGGGHTS; do echo "LIGGGHTS: $(version_of "$binary") ($binary)"; done
@@ -155,7 +157,10 @@ time_scree() {
   work=$1 code=$2 real=$3 threads=$4 bed=$5 warm=$6 steps=$7
   shift 7
   program=$native
-  case $code in *portable*) program=$portable ;; esac
+  case $code in
+  *portable*) program=$portable ;;
+  *AVX2*) program=$avx2 ;;
+  esac
   result=$(taskset -c "0-$((threads - 1))" "$program" time "$out/$bed.bed" --real "$real" --threads "$threads" \
     --warm "$warm" --steps "$steps" "$@") || exit 1
   # grains;contacts;steps;MB;renewals;seconds
@@ -203,6 +208,7 @@ while [ "$repeat" -lt "$repeats" ]; do
     bed)
       peers_on bed 1 bed 100 300
       scree_on bed 1 bed 100 300
+      time_scree bed "scree AVX2" double 1 bed 100 300
       time_scree bed "scree portable + audit" double 1 bed 100 300 --audit
       time_scree bed "scree native + audit" double 1 bed 100 300 --audit
       if $two; then
