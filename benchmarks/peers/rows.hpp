@@ -128,6 +128,13 @@ inline double goal_of(const Row& row) {
   return bed ? 4.5 : row.work == "flow" ? 4.0 : row.work == "clumps" ? 6.0 : 0.0;
 }
 
+/// At the end of a work, as scree counts them; the same for all codes. 0 where scree did not do it.
+inline double contacts_at(const Rows& rows, std::string_view work) {
+  const auto at = std::find_if(rows.begin(), rows.end(),
+                               [&](const Row& r) { return r.work == work && r.contacts > 0.0; });
+  return at == rows.end() ? 0.0 : at->contacts;
+}
+
 /// A number, or nothing for 0.
 inline std::string or_nothing(double value, int digits = 4) {
   std::ostringstream text;
@@ -150,9 +157,8 @@ inline void write_rows(const Rows& rows, const std::filesystem::path& csv,
         "MB |\n|---|---|---|---|---|---|---|---|\n";
   for (const Row& row : rows) {
     const double median = row.median(), best = row.least();
-    const auto nanoseconds = [&](double s) {
-      return row.contacts > 0.0 ? 1e9 * s / row.steps / row.contacts : 0.0;
-    };
+    const double contacts = contacts_at(rows, row.work);
+    const auto nanoseconds = [&](double s) { return contacts > 0.0 ? 1e9 * s / row.steps / contacts : 0.0; };
     const Ratio ratio = ratio_of(row, rows);
     out << row.code << ',' << row.version << ',' << row.work << ',' << row.real << ',' << row.threads << ','
         << static_cast<std::size_t>(row.grains) << ',' << row.steps / median << ',' << row.rate(median) << ','
