@@ -202,7 +202,7 @@ TEST_CASE("physics: a bed that rests in double rests in float, at the same place
 }
 
 TEST_CASE("physics: an oedometer has the slope in float that it has in double") {
-  for (const std::uint64_t seed : {1, 2}) {
+  for (std::uint64_t seed = 1; seed <= 2; ++seed) {
     const Packing bed = settled(seed, strong_gravity);
     const double exact = oedometer_slope<double>(bed), coarse = oedometer_slope<float>(bed);
     MESSAGE("slope " << exact << " and " << coarse << " N/m, relative difference " << coarse / exact - 1.0);
