@@ -42,16 +42,12 @@ Timed timed(PeriodicBed bed, const std::string& real, bool audit, const TimedRun
 PeriodicBed flowing(PeriodicBed bed, const TimedRun& run) {
   TimedScene<TimedModel<double, false>> scene{bed, run};
   scene.advance(run.steps);
+  place_as_in(scene.simulation, bed);
   const auto& bodies = scene.simulation.bodies();
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     PackedBody& body = bed.packing.bodies.at(bodies.id(b));
-    body.position = bodies.position(b);
-    body.orientation = bodies.orientation(b);
     body.velocity = bodies.velocity(b);
     body.angular_velocity = bodies.angular_velocity(b);
-    for (const int d : {0, 1}) {
-      body.position[d] -= bed.period[d] * std::floor(body.position[d] / bed.period[d]);
-    }
   }
   return bed;
 }
@@ -100,7 +96,7 @@ int main(int argc, char** argv) {
   std::size_t nx = 1, ny = 1;
   TimedRun run;
 
-  auto* make = app.add_subcommand("make", "settle a cell of 5,000 balls or 1,250 clumps, tile it, write it");
+  auto* make = app.add_subcommand("make", "settle a cell of 5,000 balls or 1,250 clumps");
   make->add_option("bed", out_path)->required();
   make->add_option("--shape", shape)->check(CLI::IsMember({"ball", "tetrahedron"}));
   make->add_option("--threads", run.threads);

@@ -116,16 +116,13 @@ inline Ratio ratio_of(const Row& row, const Rows& rows) {
           row.rate(row.least()) / peer->rate(peer->least())};
 }
 
-/// What scree is to reach at a work, as a multiple of the fastest peer; 0 for no such goal.
-inline double goal_of(const Row& row) {
-  if (row.is_peer() || row.threads != 1) {
-    return 0.0;
-  }
-  const bool bed = row.work == "bed" || row.work == "bed100k";
-  if (row.real == "float") {
+/// What scree is to reach at a work on one thread, as a multiple of the fastest peer; 0 for no such goal.
+inline double goal_of(std::string_view work, std::string_view real) {
+  const bool bed = work == "bed" || work == "bed100k";
+  if (real == "float") {
     return bed ? 6.0 : 0.0;
   }
-  return bed ? 4.5 : row.work == "flow" ? 4.0 : row.work == "clumps" ? 6.0 : 0.0;
+  return bed ? 4.5 : work == "flow" ? 4.0 : work == "clumps" ? 6.0 : 0.0;
 }
 
 /// At the end of a work, as scree counts them; the same for all codes. 0 where scree did not do it.
@@ -160,11 +157,12 @@ inline void write_rows(const Rows& rows, const std::filesystem::path& csv,
     const double contacts = contacts_at(rows, row.work);
     const auto nanoseconds = [&](double s) { return contacts > 0.0 ? 1e9 * s / row.steps / contacts : 0.0; };
     const Ratio ratio = ratio_of(row, rows);
+    const double goal = row.is_peer() || row.threads != 1 ? 0.0 : goal_of(row.work, row.real);
     out << row.code << ',' << row.version << ',' << row.work << ',' << row.real << ',' << row.threads << ','
         << static_cast<std::size_t>(row.grains) << ',' << row.steps / median << ',' << row.rate(median) << ','
-        << or_nothing(nanoseconds(median)) << ',' << or_nothing(ratio.median) << ','
-        << or_nothing(goal_of(row)) << ',' << row.rate(best) << ',' << or_nothing(nanoseconds(best)) << ','
-        << or_nothing(ratio.best) << ',' << or_nothing(row.megabytes) << ',' << row.seconds.size() << '\n';
+        << or_nothing(nanoseconds(median)) << ',' << or_nothing(ratio.median) << ',' << or_nothing(goal)
+        << ',' << row.rate(best) << ',' << or_nothing(nanoseconds(best)) << ',' << or_nothing(ratio.best)
+        << ',' << or_nothing(row.megabytes) << ',' << row.seconds.size() << '\n';
     md << "| " << row.work << " | " << row.code << " | " << row.real << " | " << row.threads << " | "
        << 1e-6 * row.rate(median) << " (" << 1e-6 * row.rate(best) << ") | "
        << or_nothing(nanoseconds(median), 3) << " | " << or_nothing(ratio.median, 3) << " | "

@@ -133,7 +133,8 @@ flags_of() {
 }
 # version_of BINARY
 version_of() {
-  "$1" -h 2>/dev/null </dev/null |
+  # LIGGGHTS leaves a log where it is called.
+  (cd "$out" && "$1" -h 2>/dev/null </dev/null) |
     sed -n 's/^Large-scale Atomic[^-]*Simulator - //p; s/^LIGGGHTS (Version \([^,]*\),.*/\1/p' | head -n 1
 }
 {
@@ -164,6 +165,11 @@ time_scree() {
   result=$(taskset -c "0-$((threads - 1))" "$program" time "$out/$bed.bed" --real "$real" --threads "$threads" \
     --warm "$warm" --steps "$steps" "$@") || exit 1
   # grains;contacts;steps;MB;renewals;seconds
+  case $work in
+  bed | bed100k)
+    [ "$(echo "$result" | cut -d ';' -f 5)" = 0 ] || say "warning: $code renewed its lists within the timed steps"
+    ;;
+  esac
   echo "$work;$code;$commit;$real;$threads;$(echo "$result" | cut -d ';' -f 1-4,6)" >>"$out/repeats.txt"
 }
 # time_peer WORK BINARY THREADS BED WARM STEPS [-var ...]
@@ -173,6 +179,11 @@ time_peer() {
   peer_run "$binary" "$threads" timed -var data "$out/$bed.data" -var warm "$warm" -var steps "$steps" "$@"
   seconds=$(sed -n '/^timed part/,$s/^Loop time of \([^ ]*\) .*/\1/p' "$log")
   [ -n "$seconds" ] || die "no loop time in $log"
+  case $work in
+  bed | bed100k)
+    sed '1,/^timed part/d' "$log" | grep -q 'Neighbor list builds = 0' || say "warning: $binary renewed its lists"
+    ;;
+  esac
   megabytes=$(sed -n 's/^\([0-9]*\),KiB$/\1/p' "$log" | awk '{ print $1 / 1024 }')
   [ "$threads" = 1 ] || megabytes=0 # that of mpirun
   case " $LIGGGHTS " in

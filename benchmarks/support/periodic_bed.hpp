@@ -49,6 +49,20 @@ void fill(Simulation<Model>& simulation, const PeriodicBed& bed) {
   simulation.add(bed.packing);
 }
 
+/// Puts the bodies of a bed where a simulation that was filled with it has them, within the period.
+template <class Model>
+void place_as_in(const Simulation<Model>& simulation, PeriodicBed& bed) {
+  const auto& bodies = simulation.bodies();
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    PackedBody& body = bed.packing.bodies.at(bodies.id(b));
+    body.position = bodies.position(b);
+    body.orientation = bodies.orientation(b);
+    for (const int d : {0, 1}) {
+      body.position[d] -= bed.period[d] * std::floor(body.position[d] / bed.period[d]);
+    }
+  }
+}
+
 /// The size of the grains of a bed: their scale is drawn uniformly.
 struct Sizes {
   double least, most;
@@ -85,15 +99,7 @@ inline PeriodicBed settled_bed(const Clump& shape, const Sizes& sizes, std::size
   run_for(simulation, 0.6);
   simulation.set_local_damping(0.5); // for rest, not for realism
   run_for(simulation, 0.3);
-  const auto& bodies = simulation.bodies();
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    PackedBody& body = bed.packing.bodies.at(bodies.id(b));
-    body.position = bodies.position(b);
-    body.orientation = bodies.orientation(b);
-    for (const int d : {0, 1}) {
-      body.position[d] -= side * std::floor(body.position[d] / side);
-    }
-  }
+  place_as_in(simulation, bed);
   return bed;
 }
 

@@ -156,8 +156,11 @@ private:
                 fmt::format("drag {:.2f} m, {:.0f} N, pitch {:.1f}°, {:.1f} kg", sample.drag, sample.force,
                             drag::degrees(sample.attitude.pitch), sample.fill.struck));
     }
-    drag::draw_view(folder_ / "view_end.png", rig, sample);
-    frames.add(rig);
+    {
+      const ex::Stopwatch watching{output_};
+      drag::draw_view(folder_ / "view_end.png", rig, sample);
+      frames.add(rig);
+    }
     summary_["end"] = {{"drag_m", sample.drag},
                        {"force_N", sample.force},
                        {"pitch_deg", drag::degrees(sample.attitude.pitch)},
@@ -166,7 +169,10 @@ private:
   }
 
   void finish(const Rig& rig) {
-    complain(drag::draw_plots(folder_, title()));
+    {
+      const ex::Stopwatch watching{output_};
+      complain(drag::draw_plots(folder_, title()));
+    }
     const scree::StepTimes& t = rig.simulation().times();
     const double all = progress_.elapsed(), stepping = t.total();
     summary_["wall_time_s"] = all;

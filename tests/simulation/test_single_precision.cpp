@@ -7,7 +7,9 @@
 #include "scree/simulation/simulation.hpp"
 #include "support/relative_error.hpp"
 #include "support/scenes.hpp"
+#include "validation/scatter.hpp"
 
+#include <boost/math/statistics/linear_regression.hpp>
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -129,21 +131,18 @@ double oedometer_slope(const Packing& packing) {
   constexpr std::size_t lid = Tube<Number>::lid;
   s.template dynamics<Prescribed>(lid) =
       Prescribed::constant_velocity({0.0, 0.0, -speed}, {{0.0, 0.0, tube.top()}, Quaternion::Identity()});
-  double n = 0.0, x = 0.0, f = 0.0, xx = 0.0, xf = 0.0, force = 0.0;
+  std::vector<double> ways, forces;
+  double force = 0.0;
   run_while(
       s, [&](const auto&) { return force < most; },
       [&](const auto& now) {
         force = now.wall(lid).load.force.z();
         if (force > least) {
-          const double way = speed * now.time();
-          n += 1.0;
-          x += way;
-          f += force;
-          xx += way * way;
-          xf += way * force;
+          ways.push_back(speed * now.time());
+          forces.push_back(force);
         }
       });
-  return (n * xf - x * f) / (n * xx - x * x);
+  return boost::math::statistics::simple_ordinary_least_squares(ways, forces).second;
 }
 
 /// Degrees, of the heap that is left where the tube was lifted.
@@ -153,7 +152,7 @@ double heap_angle(const Packing& packing) {
   auto& s = tube.simulation;
   s.template dynamics<Prescribed>(Tube<Number>::side) = Prescribed::constant_velocity({0.0, 0.0, 0.1});
   run_for(s, 0.8);
-  // The height over rings, where there are three or more spheres, as means over sectors of their tops.
+  // The highest point in each sector of each ring but the innermost, 0 where there is none.
   constexpr std::size_t sectors = 12, rings = 5;
   constexpr double width = 0.012; // m
   std::array<std::array<double, sectors>, rings> top{};
@@ -166,18 +165,15 @@ double heap_angle(const Packing& packing) {
       top[ring][sector] = std::max(top[ring][sector], sphere.position.z + sphere.radius);
     }
   }
-  double n = 0.0, x = 0.0, h = 0.0, xx = 0.0, xh = 0.0;
+  std::vector<double> radii, heights;
   for (std::size_t ring = 1; ring < rings; ++ring) {
     for (const double height : top[ring]) {
-      const double r = (static_cast<double>(ring) + 0.5) * width;
-      n += 1.0;
-      x += r;
-      h += height;
-      xx += r * r;
-      xh += r * height;
+      radii.push_back((static_cast<double>(ring) + 0.5) * width);
+      heights.push_back(height);
     }
   }
-  return std::atan(-(n * xh - x * h) / (n * xx - x * x)) * 180.0 / std::numbers::pi;
+  const double slope = boost::math::statistics::simple_ordinary_least_squares(radii, heights).second;
+  return std::atan(-slope) * 180.0 / std::numbers::pi;
 }
 
 } // namespace
@@ -212,19 +208,17 @@ TEST_CASE("physics: an oedometer has the slope in float that it has in double") 
 }
 
 TEST_CASE("physics: heaps in float are as steep as in double") {
-  double sum = 0.0, squares = 0.0, most = 0.0;
-  constexpr int heaps = 3;
-  for (std::uint64_t seed = 1; seed <= heaps; ++seed) {
+  std::vector<double> angles;
+  double most = 0.0;
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     const Packing bed = settled(seed);
     const double exact = heap_angle<double>(bed), coarse = heap_angle<float>(bed);
     MESSAGE("angle " << exact << " and " << coarse << " degrees");
-    sum += exact;
-    squares += exact * exact;
+    angles.push_back(exact);
     most = std::max(most, std::abs(coarse - exact));
   }
-  const double scatter = std::sqrt((squares - sum * sum / heaps) / (heaps - 1));
-  MESSAGE("standard error of the mean angle " << scatter / std::sqrt(heaps)
-                                              << " degrees; float differs by up to " << most);
-  CHECK(sum / heaps > 15.0); // it is a heap
-  CHECK(most < scatter / std::sqrt(heaps));
+  const validation::Mean mean{angles};
+  MESSAGE("standard error of the mean angle " << mean.error << " degrees; float differs by up to " << most);
+  CHECK(mean.value > 15.0); // it is a heap
+  CHECK(most < mean.error);
 }

@@ -6,7 +6,6 @@
 /// into four packs by shuffles of two registers each: fewer instructions than to gather number by number.
 
 #include "scree/core/pack.hpp"
-#include "scree/core/vec3.hpp"
 
 #include <array>
 #include <cstddef>

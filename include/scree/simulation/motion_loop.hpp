@@ -36,10 +36,9 @@ class LocalDamping {
 public:
   LocalDamping(double alpha, double kick) : alpha_(alpha), kick_(kick), on_{alpha > 0.0} {}
 
+  [[nodiscard]] bool on() const { return on_; }
   void damp(Vec3<T>& force, const Vec3<T>& velocity) {
-    if (on_) {
-      force = {along(force.x, velocity.x), along(force.y, velocity.y), along(force.z, velocity.z)};
-    }
+    force = {along(force.x, velocity.x), along(force.y, velocity.y), along(force.z, velocity.z)};
   }
   /// J, taken out of the motion since the last call.
   T taken() { return std::exchange(work_, T(0)); }
@@ -93,10 +92,11 @@ public:
 
   /// m/s, the largest speed of a sphere; not a number where one of them is not.
   [[nodiscard]] double fastest() const {
+    const auto most_of = numbers(speeds_.most), poison_of = numbers(speeds_.poison);
     double most = lone_speeds_.most, poison = lone_speeds_.poison;
     for (std::size_t lane = 0; lane < width; ++lane) {
-      most = std::max(most, number(speeds_.most, lane));
-      poison += number(speeds_.poison, lane);
+      most = std::max(most, most_of[lane]);
+      poison += poison_of[lane];
     }
     return std::sqrt(most) + poison;
   }
@@ -141,10 +141,10 @@ private:
 
   static RowsOfFour<T> rows(const Vec3<T>& v) { return RowsOfFour<T>{{v.x, v.y, v.z, T(0)}}; }
 
-  static double number(const T& value, std::size_t lane) {
+  static std::array<double, width> numbers(const T& value) {
     std::array<double, width> lanes;
     Lanes<T>::store(value, lanes.data());
-    return lanes[lane];
+    return lanes;
   }
 
   void move_lone(std::size_t b) {
@@ -156,9 +156,11 @@ private:
     Vec3<double> spin = sphere.angular_velocity.template as<double>();
     Vec3<double> force = load.force.template as<double>() + gravity_ * (1.0 / inverse_mass);
     Vec3<double> torque = load.torque.template as<double>();
-    lone_damping_.damp(force, velocity);
-    lone_damping_.damp(torque, spin);
-    damped_ += lone_damping_.taken();
+    if (lone_damping_.on()) {
+      lone_damping_.damp(force, velocity);
+      lone_damping_.damp(torque, spin);
+      damped_ += lone_damping_.taken();
+    }
     spin += torque * (2.5 * inverse_mass / (sphere.radius * sphere.radius) * step_.kick);
     Integrator::translate(sphere.position, velocity, force * inverse_mass, step_);
     sphere.velocity = velocity.template as<Real>();
@@ -184,9 +186,11 @@ private:
     auto [force, torque] = load(batch, position);
     force += Vec3<T>{T(gravity_.x), T(gravity_.y), T(gravity_.z)} * mass;
     const Axes<T> before = axes_of(orientation);
-    damping_.damp(force, velocity);
-    damping_.damp(torque, before.to_space(w));
-    add_damped(damping_.taken(), batch.size);
+    if (damping_.on()) {
+      damping_.damp(force, velocity);
+      damping_.damp(torque, before.to_space(w));
+      add_damped(damping_.taken(), batch.size);
+    }
     Integrator::rotate(orientation, w, before.to_frame(torque), inertia, step_);
     Integrator::translate(position, velocity, force * (T(1) / mass), step_);
 
@@ -256,8 +260,9 @@ private:
 
   /// Of the first `size` lanes.
   void add_damped(const T& work, std::size_t size) {
+    const auto lanes = numbers(work);
     for (std::size_t lane = 0; lane < size; ++lane) {
-      damped_ += number(work, lane);
+      damped_ += lanes[lane];
     }
   }
 

@@ -9,9 +9,9 @@
 #include "scree/simulation/motion_loop.hpp"
 #include "scree/simulation/pair_loop.hpp"
 #include "scree/simulation/step_limit.hpp"
+#include "scree/simulation/step_times.hpp"
 #include "scree/simulation/wall_contacts.hpp"
 
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -31,16 +31,6 @@ struct ContactView {
   double overlap;        ///< m
   Vector force;          ///< N, on the first
   double elastic_energy; ///< J, in its springs
-};
-
-/// Seconds of wall time spent in the parts of the time step.
-struct StepTimes {
-  double search = 0.0;  ///< lists
-  double contact = 0.0; ///< forces between grains
-  double walls = 0.0;   ///< forces of walls on grains, and the motion of walls
-  double motion = 0.0;  ///< of grains
-
-  [[nodiscard]] double total() const { return search + contact + walls + motion; }
 };
 
 /// Grains, walls and the laws between them, as `Model` composes them (simulation/model.hpp).
@@ -247,7 +237,7 @@ public:
   }
 
 private:
-  using Clock = std::chrono::steady_clock;
+  using Clock = StepTimes::Clock;
 
   // ---- start and stable step ----
 
@@ -378,8 +368,8 @@ private:
     add_wall_forces<Model::energy_audit>(setup_.contact, pair_material(), std::span<const WallBody>{walls_},
                                          dt, bodies_, lists_.wall_block(b), std::span<WallSum>{result.walls},
                                          result.lost);
-    result.spent.contact = seconds(begin, at_walls);
-    result.spent.walls = seconds(at_walls, Clock::now());
+    result.spent.contact = StepTimes::seconds(begin, at_walls);
+    result.spent.walls = StepTimes::seconds(at_walls, Clock::now());
   }
 
   void move(std::size_t b, const TimeStep& now) {
@@ -389,25 +379,18 @@ private:
     fetch_forces(block, std::as_const(lists_).slots(), bodies_);
     result.fastest = move_bodies<typename Model::Integrator, Model::energy_audit>(
         block, now, setup_.local_damping, bodies_, result.lost);
-    result.spent.motion = seconds(begin, Clock::now());
+    result.spent.motion = StepTimes::seconds(begin, Clock::now());
   }
 
-  static double seconds(Clock::time_point from, Clock::time_point to) {
-    return std::chrono::duration<double>(to - from).count();
-  }
-
-  /// Deals the wall time of the loop over blocks out by what the threads spent in its parts.
+  /// Deals the wall time of the loop over blocks [s] out by what the threads spent in its parts.
   void note_times(double loop) {
-    StepTimes sum;
+    StepTimes spent;
     for (const BlockResult& result : block_results_) {
-      sum.contact += result.spent.contact;
-      sum.walls += result.spent.walls;
-      sum.motion += result.spent.motion;
+      spent += result.spent;
     }
-    const double share = sum.total() > 0.0 ? loop / sum.total() : 0.0;
-    times_.contact += share * sum.contact;
-    times_.walls += share * sum.walls;
-    times_.motion += share * sum.motion;
+    if (spent.total() > 0.0) {
+      times_ += spent.scaled(loop / spent.total());
+    }
   }
 
   /// Sums what the blocks found, in their order. Returns the largest speed of a sphere [m/s].
@@ -554,9 +537,9 @@ void Simulation<Model>::step() {
   half_kick_ = false;
   ++steps_;
   time_ = start_time_ + static_cast<double>(steps_ - start_steps_) * dt_;
-  times_.search += seconds(t0, t1);
-  note_times(seconds(t1, t2));
-  times_.walls += seconds(t2, Clock::now());
+  times_.search += StepTimes::seconds(t0, t1);
+  note_times(StepTimes::seconds(t1, t2));
+  times_.walls += StepTimes::seconds(t2, Clock::now());
 }
 
 } // namespace scree

@@ -201,16 +201,16 @@ public:
 
   /// Keeps the bodies listed in `order`, in that order. Returns for each old sphere its new index, or `gone`.
   std::vector<std::uint32_t> rearrange(std::span<const std::uint32_t> order) {
-    std::vector<std::uint32_t> moved_to(spheres_.size(), gone), members, owners, first{0};
-    members.reserve(spheres_.size());
+    std::vector<std::uint32_t> moved_to(spheres_.size(), gone), kept, owners, first{0};
+    kept.reserve(spheres_.size());
     for (std::size_t place = 0; place < order.size(); ++place) {
       const std::uint32_t b = order[place];
       for (std::uint32_t s = first_[b]; s < first_[b + 1]; ++s) {
-        moved_to[s] = static_cast<std::uint32_t>(members.size());
-        members.push_back(s);
+        moved_to[s] = static_cast<std::uint32_t>(kept.size());
+        kept.push_back(s);
         owners.push_back(static_cast<std::uint32_t>(place));
       }
-      first.push_back(static_cast<std::uint32_t>(members.size()));
+      first.push_back(static_cast<std::uint32_t>(kept.size()));
     }
     first_ = std::move(first);
     body_of_ = std::move(owners);
@@ -230,9 +230,9 @@ public:
     pick(solid_volumes_, order);
     pick(bounding_radii_, order);
     pick(mobilities_, order);
-    pick(spheres_, members);
-    pick(forces_, members);
-    pick(members_, members);
+    pick(spheres_, kept);
+    pick(forces_, kept);
+    pick(members_, kept);
     return moved_to;
   }
 
