@@ -43,8 +43,8 @@ Setup<Model> bed_setup(const PeriodicBed& bed, unsigned threads, double time_ste
 
 /// Puts the bed and its floor into an empty simulation.
 template <class Model>
-void fill(Simulation<Model>& simulation, const PeriodicBed& bed) {
-  const MaterialId rock = simulation.add_material(bed_material());
+void fill(Simulation<Model>& simulation, const PeriodicBed& bed, const Material& material = bed_material()) {
+  const MaterialId rock = simulation.add_material(material);
   simulation.add_wall({.name = "floor", .surfaces = {{Plane{}, rock}}, .dynamics = Fixed{}});
   simulation.add(bed.packing);
 }

@@ -1,6 +1,9 @@
 // How long does a whole time step take, per sphere and per contact?
 
 #include "../support/periodic_bed.hpp"
+#include "scree/contact/hertz_mindlin.hpp"
+#include "scree/contact/linear_spring.hpp"
+#include "scree/contact/rolling_resistance.hpp"
 #include "scree/geometry/dragline_bucket.hpp"
 #include "scree/packing/templates.hpp"
 
@@ -15,9 +18,10 @@ namespace {
 using namespace scree;
 using namespace scree::benchmarks;
 
-template <class Number, bool audit>
+template <class Number, bool audit, class Law = DefaultModel::Contact>
 struct BedModel : DefaultModel {
   using Real = Number;
+  using Contact = Law;
   using Walls = scree::Walls<Fixed, Prescribed>;
   static constexpr bool energy_audit = audit;
 };
@@ -84,6 +88,21 @@ void spheres(benchmark::State& state) {
   time_steps(state, simulation);
 }
 
+/// The bed with another law. The modulus makes a contact of the laws of Hertz about as stiff, under the mean
+/// force in the bed, as one of the linear laws.
+template <class Law>
+void spheres_by_law(benchmark::State& state) {
+  using Model = BedModel<double, true, Law>;
+  constexpr double stable = 0.0; // s: the step that is stable with this law
+  const PeriodicBed bed = bed_of(cell_of_spheres(), state.range(0));
+  Simulation<Model> simulation{bed_setup<Model>(bed, static_cast<unsigned>(state.range(1)), stable)};
+  Material material = bed_material();
+  material.youngs_modulus = 1.7e9;
+  material.rolling_friction = 0.1;
+  fill(simulation, bed, material);
+  time_steps(state, simulation);
+}
+
 void clumps(benchmark::State& state) {
   using Model = BedModel<double, true>;
   const PeriodicBed bed = bed_of(cell_of_clumps(), state.range(0));
@@ -127,5 +146,9 @@ BENCHMARK_TEMPLATE(spheres, double, true)->Apply(beds);
 BENCHMARK_TEMPLATE(spheres, double, false)->Apply(middling_bed);
 BENCHMARK_TEMPLATE(spheres, float, true)->Apply(middling_bed);
 BENCHMARK_TEMPLATE(spheres, float, false)->Apply(middling_bed);
+BENCHMARK_TEMPLATE(spheres_by_law, LinearSpring<>)->Apply(middling_bed);
+BENCHMARK_TEMPLATE(spheres_by_law, LinearSpring<RollingResistance>)->Apply(middling_bed);
+BENCHMARK_TEMPLATE(spheres_by_law, HertzMindlin<>)->Apply(middling_bed);
+BENCHMARK_TEMPLATE(spheres_by_law, HertzMindlin<RollingResistance>)->Apply(middling_bed);
 BENCHMARK(clumps)->Apply(middling_bed);
 BENCHMARK(spheres_and_bucket)->Apply(middling_bed);

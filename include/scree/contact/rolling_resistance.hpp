@@ -37,13 +37,15 @@ struct RollingResistance {
     const Vec3<T> trial = old - rolling * (stiffness * k.dt);
     const T size2 = squared_norm(trial);
     const auto over = size2 > limit * limit;
-    const T share = select(over, limit / square_root(select(over, size2, T(1))), T(1));
-    const Vec3<T> kept = trial * share;
+    Vec3<T> kept = trial;
+    if (any(over)) {
+      kept = trial * select(over, limit * reciprocal_square_root(select(over, size2, T(1))), T(1));
+      const auto some = stiffness > T(0);
+      frictional_work += select(some, dot(kept, trial - kept) / select(some, stiffness, T(1)), T(0));
+    }
     history[0] = kept.x;
     history[1] = kept.y;
     history[2] = kept.z;
-    const auto some = stiffness > T(0);
-    frictional_work += select(some, dot(kept, trial - kept) / select(some, stiffness, T(1)), T(0));
     if (damping == 0.0) {
       return kept;
     }

@@ -123,9 +123,12 @@ private:
         count[lane] = count[size - 1];
       }
     }
-    /// Number of member k of a clump, or of its first one where it has no such member.
+    /// k, or 0 where a clump has no such sphere.
     [[nodiscard]] std::size_t member(std::size_t lane, std::size_t k) const {
-      return first[lane] + (k < count[lane] ? k : 0);
+      return k < count[lane] ? k : 0;
+    }
+    [[nodiscard]] std::size_t sphere(std::size_t lane, std::size_t k) const {
+      return first[lane] + member(lane, k);
     }
   };
 
@@ -224,11 +227,11 @@ private:
         return Vec3<T>{select(is, f[0], T(0)), select(is, f[1], T(0)), select(is, f[2], T(0))};
       };
       const auto x =
-          fields_of<T>([&](std::size_t lane) { return &spheres[batch.member(lane, k)].position.x; });
+          fields_of<T>([&](std::size_t lane) { return &spheres[batch.sphere(lane, k)].position.x; });
       const Vec3<T> f =
-          kept(fields_of<T>([&](std::size_t lane) { return &forces[batch.member(lane, k)].force.x; }));
+          kept(fields_of<T>([&](std::size_t lane) { return &forces[batch.sphere(lane, k)].force.x; }));
       const Vec3<T> m =
-          kept(fields_of<T>([&](std::size_t lane) { return &forces[batch.member(lane, k)].torque.x; }));
+          kept(fields_of<T>([&](std::size_t lane) { return &forces[batch.sphere(lane, k)].torque.x; }));
       sum.force += f;
       sum.torque += m + cross(Vec3<T>{x[0], x[1], x[2]} - centre, f);
     }
@@ -241,8 +244,9 @@ private:
     const Vec3<T> w = axes.to_space(spin_in_frame);
     const RowsOfFour<T> spins = rows(w);
     for (std::size_t k = 0; k < batch.most; ++k) {
-      const auto offset =
-          fields_of<T>([&](std::size_t lane) { return &bodies_.member(batch.member(lane, k)).offset.x; });
+      const auto offset = fields_of<T>([&](std::size_t lane) {
+        return &bodies_.member(batch.body[lane], batch.member(lane, k)).offset.x;
+      });
       const Placed<T> at = placed({offset[0], offset[1], offset[2]}, axes, w, step_.dt);
       const Vec3<T> sphere_velocity = velocity + at.velocity;
       speeds_.add(sphere_velocity);

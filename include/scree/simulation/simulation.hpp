@@ -4,13 +4,15 @@
 
 #include "scree/packing/packing.hpp"
 #include "scree/simulation/contact_lists.hpp"
+#include "scree/simulation/contact_view.hpp"
 #include "scree/simulation/gates.hpp"
 #include "scree/simulation/model.hpp"
 #include "scree/simulation/motion_loop.hpp"
 #include "scree/simulation/pair_loop.hpp"
+#include "scree/simulation/runaway.hpp"
 #include "scree/simulation/step_limit.hpp"
 #include "scree/simulation/step_times.hpp"
-#include "scree/simulation/wall_contacts.hpp"
+#include "scree/simulation/wall_loop.hpp"
 
 #include <cmath>
 #include <limits>
@@ -21,17 +23,6 @@
 #include <vector>
 
 namespace scree {
-
-/// A contact as observers see it. `second` is the number of a body, or of a wall where `with_wall` is set.
-struct ContactView {
-  std::size_t first, second;
-  bool with_wall;
-  Vector point;          ///< m
-  Vector normal;         ///< unit vector from the second to the first
-  double overlap;        ///< m
-  Vector force;          ///< N, on the first
-  double elastic_energy; ///< J, in its springs
-};
 
 /// Grains, walls and the laws between them, as `Model` composes them (simulation/model.hpp).
 ///
@@ -217,22 +208,10 @@ public:
   /// present positions. Changes nothing.
   template <class Visit>
   void visit_contacts(Visit visit) const {
-    const auto& pairs = lists_.pairs();
-    const auto histories = lists_.histories();
-    for (std::size_t i = 0; i < pairs.row_count(); ++i) {
-      for (std::size_t pair = pairs.begin_of(i); pair < pairs.begin_of(i + 1); ++pair) {
-        visit_pair(i, pairs.partner(pair), histories[pair], visit);
-      }
-    }
+    const detail::ContactViewer viewer{setup_.contact, materials_, domain_, bodies_};
+    viewer.visit_pairs(lists_.pairs(), lists_.histories(), visit);
     for (const auto& block : lists_.wall_blocks()) {
-      for (const auto& c : block.contacts) {
-        const auto& sphere = bodies_.spheres()[c.sphere];
-        const MaterialId of = walls_[c.wall].surfaces[c.surface].material();
-        const double energy = energy_of(materials_.pair(static_cast<MaterialId>(sphere.material), of),
-                                        sphere.radius, c.overlap, c.history);
-        visit(ContactView{bodies_.body_of(c.sphere), c.wall, true, c.point, c.normal, c.overlap, c.force,
-                          energy});
-      }
+      viewer.visit_wall_contacts(block.contacts, walls(), visit);
     }
   }
 
@@ -347,6 +326,12 @@ private:
     return Loop{setup_.contact, pair_material(), domain_, static_cast<Real>(dt_), bodies_};
   }
 
+  [[nodiscard]] auto wall_loop() {
+    using Loop = detail::WallLoop<Model::energy_audit, WallNumber<Law, Real>, Law, Real, WallBody,
+                                  decltype(pair_material())>;
+    return Loop{setup_.contact, pair_material(), walls_, static_cast<Real>(dt_), bodies_};
+  }
+
   void compute_forces(std::size_t b) {
     const auto begin = Clock::now();
     const Block& block = lists_.blocks()[b];
@@ -355,7 +340,6 @@ private:
     std::fill(forces.begin(), forces.end(), ForceRecord<Real>{});
     std::fill(result.walls.begin(), result.walls.end(), WallSum{});
     result.lost = {};
-    const auto dt = static_cast<Real>(dt_);
     auto& pairs = lists_.block_pairs(b);
     pair_loop<false>().add_all(pairs.within, result.lost);
     const auto slots = lists_.slots(b);
@@ -365,9 +349,7 @@ private:
       pair_loop<true>().add_to_first(pairs.wrapped, slots.subspan(crossing), result.lost);
     }
     const auto at_walls = Clock::now();
-    add_wall_forces<Model::energy_audit>(setup_.contact, pair_material(), std::span<const WallBody>{walls_},
-                                         dt, bodies_, lists_.wall_block(b), std::span<WallSum>{result.walls},
-                                         result.lost);
+    wall_loop().add_all(lists_.wall_block(b), result.walls, result.lost);
     result.spent.contact = StepTimes::seconds(begin, at_walls);
     result.spent.walls = StepTimes::seconds(at_walls, Clock::now());
   }
@@ -409,7 +391,7 @@ private:
       }
       lost_ += result.lost;
       if (!std::isfinite(result.fastest)) {
-        report_runaway();
+        detail::report_runaway(bodies_, time_);
       }
       fastest = std::max(fastest, result.fastest);
     }
@@ -421,56 +403,6 @@ private:
           dt_;
     }
     return fastest;
-  }
-
-  [[noreturn]] void report_runaway() const {
-    std::size_t worst = 0;
-    double most = -1.0;
-    for (std::size_t b = 0; b < bodies_.size(); ++b) {
-      const double size =
-          bodies_.velocity(b).cwiseAbs().maxCoeff() + bodies_.angular_velocity(b).cwiseAbs().maxCoeff();
-      if (!(size <= most)) {
-        worst = b;
-        most = size;
-        if (!std::isfinite(size)) {
-          break;
-        }
-      }
-    }
-    throw Error(message("body ", bodies_.id(worst),
-                        " has a velocity that is not a number or beyond all bounds at t = ", time_,
-                        " s: a time step too long, an initial overlap or a stiffness out of proportion"));
-  }
-
-  // ---- observing ----
-
-  template <class History>
-  [[nodiscard]] double energy_of(const PairMaterial<double>& pair, double reduced_radius, double overlap,
-                                 const History& history) const {
-    std::array<double, static_cast<std::size_t>(Law::history_size)> h{};
-    std::copy(history.begin(), history.end(), h.begin());
-    return setup_.contact.elastic_energy(pair, reduced_radius, overlap, h);
-  }
-
-  template <class Visit>
-  void visit_pair(std::size_t i, Partner partner, typename Pairs::History history, Visit& visit) const {
-    const auto &own = bodies_.spheres()[i], &other = bodies_.spheres()[partner.sphere];
-    const Vec3<double> apart = own.position - other.position - domain_.shift(partner.image);
-    const double d2 = squared_norm(apart), reach = own.radius + other.radius;
-    if (d2 >= reach * reach) {
-      return;
-    }
-    const Touch<Real> touch = touch_of(own, other, apart, d2, Real{0});
-    const auto& constants = pair_material()(own.material, other.material);
-    const ContactForce<Real> f = setup_.contact.evaluate(constants, touch.kinematics, history);
-    const Vector normal = to_eigen(touch.kinematics.normal);
-    const double energy =
-        energy_of(constants.template as<double>(), static_cast<double>(touch.kinematics.reduced_radius),
-                  static_cast<double>(touch.kinematics.overlap), history);
-    visit(ContactView{bodies_.body_of(i), bodies_.body_of(partner.sphere), false,
-                      to_eigen(own.position) - static_cast<double>(touch.arm_i) * normal, normal,
-                      static_cast<double>(touch.kinematics.overlap),
-                      to_eigen(touch.kinematics.normal * f.normal + f.tangential), energy});
   }
 
   Setup<Model> setup_;

@@ -44,9 +44,9 @@ struct NewBody {
 template <class Real>
 class Bodies {
 public:
-  [[nodiscard]] std::size_t size() const { return records_.size(); }
+  [[nodiscard]] std::size_t size() const { return kinds_.size(); }
   [[nodiscard]] std::size_t sphere_count() const { return spheres_.size(); }
-  [[nodiscard]] bool empty() const { return records_.empty(); }
+  [[nodiscard]] bool empty() const { return kinds_.empty(); }
 
   /// Adds a body and returns its id.
   /// \throws Error for a value that is not a number, a scale or density of 0 or below.
@@ -65,39 +65,43 @@ public:
     const Vector inertia = given.density * s3 * given.scale * given.scale * clump.inertia;
     const bool lone = clump.spheres.size() == 1 && clump.spheres[0].centre.isZero(0.0);
 
-    BodyRecord<Real> body;
-    body.position = to_vec3(given.position);
-    body.orientation = to_quat(q);
-    body.velocity = to_vec3<Real>(given.velocity);
-    body.angular_velocity = to_vec3<Real>(q.conjugate() * given.angular_velocity);
-    body.mass = static_cast<Real>(mass);
-    body.inertia = to_vec3<Real>(inertia);
-    if (given.fixed) {
-      body.velocity = body.angular_velocity = {};
-    }
-    records_.push_back(body);
+    const std::size_t b = size();
     kinds_.push_back(given.fixed ? BodyKind::fixed : lone ? BodyKind::lone : BodyKind::clump);
     ids_.push_back(next_id_);
     materials_.push_back(given.material);
     solid_volumes_.push_back(clump.union_volume * s3);
     bounding_radii_.push_back(clump.bounding_radius * given.scale);
     mobilities_.push_back(clump.mobility / mass);
+    rigid_of_.push_back(none);
     for (const Sphere& member : clump.spheres) {
       SphereRecord<Real> sphere;
       sphere.radius = member.radius * given.scale;
       sphere.inverse_mass = given.fixed ? Real{0} : static_cast<Real>(1.0 / mass);
       sphere.material = given.material;
       spheres_.push_back(sphere);
-      members_.push_back({to_vec3(Vector(member.centre * given.scale))});
-      body_of_.push_back(static_cast<std::uint32_t>(records_.size() - 1));
+      body_of_.push_back(static_cast<std::uint32_t>(b));
     }
     forces_.resize(spheres_.size());
     first_.push_back(static_cast<std::uint32_t>(spheres_.size()));
-    place_members(records_.size() - 1);
-    if (lone || given.fixed) {
-      for (std::size_t s = first_sphere(size() - 1); s < first_sphere(size()); ++s) {
-        spheres_[s].angular_velocity = given.fixed ? Vec3<Real>{} : to_vec3<Real>(given.angular_velocity);
+    const Vector velocity = given.fixed ? Vector(Vector::Zero()) : given.velocity;
+    const Vector spin = given.fixed ? Vector(Vector::Zero()) : given.angular_velocity;
+    if (is_lone(b)) {
+      SphereRecord<Real>& sphere = spheres_.back();
+      sphere.position = to_vec3(given.position);
+      sphere.velocity = to_vec3<Real>(velocity);
+      sphere.angular_velocity = to_vec3<Real>(spin);
+    } else {
+      BodyRecord<Real>& body = add_record(b);
+      body.position = to_vec3(given.position);
+      body.orientation = to_quat(q);
+      body.velocity = to_vec3<Real>(velocity);
+      body.angular_velocity = to_vec3<Real>(Vector(q.conjugate() * spin));
+      body.mass = static_cast<Real>(mass);
+      body.inertia = to_vec3<Real>(inertia);
+      for (const Sphere& member : clump.spheres) {
+        members_.push_back({to_vec3(Vector(member.centre * given.scale))});
       }
+      place_members(b);
     }
     return next_id_++;
   }
@@ -106,19 +110,31 @@ public:
   // ------------------------------------------------------------------------------------
 
   [[nodiscard]] Vector position(std::size_t b) const {
-    return to_eigen(is_lone(b) ? spheres_[first_[b]].position : records_[b].position);
+    return to_eigen(is_lone(b) ? spheres_[first_[b]].position : record(b).position);
   }
   [[nodiscard]] Vector velocity(std::size_t b) const {
-    return to_eigen(is_lone(b) ? spheres_[first_[b]].velocity : records_[b].velocity);
+    return to_eigen(is_lone(b) ? spheres_[first_[b]].velocity : record(b).velocity);
   }
   /// rad/s, in space.
   [[nodiscard]] Vector angular_velocity(std::size_t b) const {
     return is_lone(b) ? to_eigen(spheres_[first_[b]].angular_velocity)
-                      : Vector(orientation(b) * to_eigen(records_[b].angular_velocity));
+                      : Vector(orientation(b) * to_eigen(record(b).angular_velocity));
   }
-  [[nodiscard]] Quaternion orientation(std::size_t b) const { return to_eigen(records_[b].orientation); }
-  [[nodiscard]] double mass(std::size_t b) const { return static_cast<double>(records_[b].mass); }
-  [[nodiscard]] Vector inertia(std::size_t b) const { return to_eigen(records_[b].inertia); }
+  /// That of a lone sphere is not followed.
+  [[nodiscard]] Quaternion orientation(std::size_t b) const {
+    return is_lone(b) ? Quaternion::Identity() : to_eigen(record(b).orientation);
+  }
+  [[nodiscard]] double mass(std::size_t b) const {
+    return is_lone(b) ? 1.0 / static_cast<double>(spheres_[first_[b]].inverse_mass)
+                      : static_cast<double>(record(b).mass);
+  }
+  [[nodiscard]] Vector inertia(std::size_t b) const {
+    if (is_lone(b)) {
+      const double radius = spheres_[first_[b]].radius;
+      return Vector::Constant(0.4 * mass(b) * radius * radius);
+    }
+    return to_eigen(record(b).inertia);
+  }
   [[nodiscard]] std::uint64_t id(std::size_t b) const { return ids_[b]; }
   [[nodiscard]] BodyKind kind(std::size_t b) const { return kinds_[b]; }
   [[nodiscard]] bool is_fixed(std::size_t b) const { return kinds_[b] == BodyKind::fixed; }
@@ -148,17 +164,21 @@ public:
 
   [[nodiscard]] std::span<SphereRecord<Real>> spheres() { return spheres_; }
   [[nodiscard]] std::span<ForceRecord<Real>> forces() { return forces_; }
-  [[nodiscard]] BodyRecord<Real>& record(std::size_t b) { return records_[b]; }
-  [[nodiscard]] const BodyRecord<Real>& record(std::size_t b) const { return records_[b]; }
-  [[nodiscard]] const MemberRecord& member(std::size_t sphere) const { return members_[sphere]; }
+  /// Of a body that is not lone.
+  [[nodiscard]] BodyRecord<Real>& record(std::size_t b) { return rigid_[rigid_of_[b]]; }
+  [[nodiscard]] const BodyRecord<Real>& record(std::size_t b) const { return rigid_[rigid_of_[b]]; }
+  /// Sphere k of a body that is not lone.
+  [[nodiscard]] const MemberRecord& member(std::size_t b, std::size_t k) const {
+    return members_[first_member_[rigid_of_[b]] + k];
+  }
 
   /// Puts the members of a clump or fixed body where its body record says.
   void place_members(std::size_t b) {
-    const BodyRecord<Real>& body = records_[b];
+    const BodyRecord<Real>& body = record(b);
     const Axes<double> axes = axes_of(body.orientation);
     const Vec3<double> w = axes.to_space(body.angular_velocity.template as<double>());
     for (std::size_t s = first_[b]; s < first_[b + 1]; ++s) {
-      const Placed<double> at = placed(members_[s].offset, axes, w, 0.0);
+      const Placed<double> at = placed(member(b, s - first_[b]).offset, axes, w, 0.0);
       spheres_[s].position = body.position + at.arm;
       spheres_[s].velocity = body.velocity + at.velocity.template as<Real>();
       spheres_[s].angular_velocity = w.template as<Real>();
@@ -167,7 +187,9 @@ public:
 
   /// Moves a body as a whole by `by`, with no change of its motion.
   void shift(std::size_t b, const Vector& by) {
-    records_[b].position += to_vec3(by);
+    if (!is_lone(b)) {
+      record(b).position += to_vec3(by);
+    }
     for (std::size_t s = first_[b]; s < first_[b + 1]; ++s) {
       spheres_[s].position += to_vec3(by);
     }
@@ -175,22 +197,28 @@ public:
 
   /// Gives a body another motion; `w` in space.
   void set_motion(std::size_t b, const Vector& v, const Vector& w) {
-    BodyRecord<Real>& body = records_[b];
-    body.velocity = to_vec3<Real>(v);
-    body.angular_velocity = to_vec3<Real>(Vector(orientation(b).conjugate() * w));
     if (is_lone(b)) {
-      spheres_[first_[b]].velocity = body.velocity;
+      spheres_[first_[b]].velocity = to_vec3<Real>(v);
       spheres_[first_[b]].angular_velocity = to_vec3<Real>(w);
     } else {
+      record(b).velocity = to_vec3<Real>(v);
+      record(b).angular_velocity = to_vec3<Real>(Vector(orientation(b).conjugate() * w));
       place_members(b);
     }
   }
 
   /// Makes a body immovable where it stands.
   void fix(std::size_t b) {
-    records_[b].position = to_vec3(position(b));
+    if (is_lone(b)) {
+      BodyRecord<Real> body;
+      body.position = spheres_[first_[b]].position;
+      body.mass = static_cast<Real>(mass(b));
+      body.inertia = to_vec3<Real>(inertia(b));
+      add_record(b) = body;
+      members_.push_back({});
+    }
     kinds_[b] = BodyKind::fixed;
-    records_[b].velocity = records_[b].angular_velocity = {};
+    record(b).velocity = record(b).angular_velocity = {};
     for (std::size_t s = first_[b]; s < first_[b + 1]; ++s) {
       spheres_[s].velocity = spheres_[s].angular_velocity = {};
       spheres_[s].inverse_mass = 0;
@@ -202,6 +230,7 @@ public:
   /// Keeps the bodies listed in `order`, in that order. Returns for each old sphere its new index, or `gone`.
   std::vector<std::uint32_t> rearrange(std::span<const std::uint32_t> order) {
     std::vector<std::uint32_t> moved_to(spheres_.size(), gone), kept, owners, first{0};
+    std::vector<std::uint32_t> rigid, members, rigid_of, first_member;
     kept.reserve(spheres_.size());
     for (std::size_t place = 0; place < order.size(); ++place) {
       const std::uint32_t b = order[place];
@@ -211,9 +240,20 @@ public:
         owners.push_back(static_cast<std::uint32_t>(place));
       }
       first.push_back(static_cast<std::uint32_t>(kept.size()));
+      const std::uint32_t own = rigid_of_[b];
+      rigid_of.push_back(own == none ? none : static_cast<std::uint32_t>(rigid.size()));
+      if (own != none) {
+        rigid.push_back(own);
+        first_member.push_back(static_cast<std::uint32_t>(members.size()));
+        for (std::uint32_t k = 0; k < first_[b + 1] - first_[b]; ++k) {
+          members.push_back(first_member_[own] + k);
+        }
+      }
     }
     first_ = std::move(first);
     body_of_ = std::move(owners);
+    rigid_of_ = std::move(rigid_of);
+    first_member_ = std::move(first_member);
     // One array after the other: there is never more than one copy.
     const auto pick = [](auto& values, std::span<const std::uint32_t> from) {
       std::remove_reference_t<decltype(values)> picked;
@@ -223,7 +263,6 @@ public:
       }
       values = std::move(picked);
     };
-    pick(records_, order);
     pick(kinds_, order);
     pick(ids_, order);
     pick(materials_, order);
@@ -232,14 +271,23 @@ public:
     pick(mobilities_, order);
     pick(spheres_, kept);
     pick(forces_, kept);
-    pick(members_, kept);
+    pick(rigid_, rigid);
+    pick(members_, members);
     return moved_to;
   }
 
 private:
+  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
   [[nodiscard]] bool is_lone(std::size_t b) const { return kinds_[b] == BodyKind::lone; }
 
-  std::vector<BodyRecord<Real>> records_;
+  /// An empty one; the members are to follow.
+  BodyRecord<Real>& add_record(std::size_t b) {
+    rigid_of_[b] = static_cast<std::uint32_t>(rigid_.size());
+    first_member_.push_back(static_cast<std::uint32_t>(members_.size()));
+    return rigid_.emplace_back();
+  }
+
   std::vector<BodyKind> kinds_;
   std::vector<std::uint64_t> ids_;
   std::vector<std::uint16_t> materials_;
@@ -250,6 +298,11 @@ private:
 
   std::vector<SphereRecord<Real>> spheres_;
   std::vector<ForceRecord<Real>> forces_;
+
+  // Of bodies that are not lone: a lone sphere's own record holds all.
+  std::vector<std::uint32_t> rigid_of_; // number of the body's record, or none
+  std::vector<BodyRecord<Real>> rigid_;
+  std::vector<std::uint32_t> first_member_; // of the body with that record
   std::vector<MemberRecord> members_;
   std::vector<std::uint32_t> body_of_;
   std::uint64_t next_id_ = 0;
