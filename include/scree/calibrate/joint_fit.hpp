@@ -1,0 +1,359 @@
+#pragma once
+/// \file
+/// Finds any set of parameters from any set of observables at once.
+
+#include "scree/calibrate/local_response.hpp"
+#include "scree/calibrate/measured.hpp"
+#include "scree/calibrate/parameter.hpp"
+#include "scree/core/random.hpp"
+
+#include <boost/math/distributions/students_t.hpp>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace scree {
+
+/// A run that is asked for.
+struct RunRequest {
+  std::vector<double> parameters; ///< in their units, in the order of the space
+  std::uint64_t seed = 0;
+};
+
+/// What came of it: the observables in their order, or the reason why there are none.
+struct RunOutcome {
+  std::vector<double> observed{};
+  std::string failure{};
+};
+
+/// Does all runs of a batch, in any order and on any number of workers, and answers in the order asked.
+using RunBatch = std::function<std::vector<RunOutcome>(const std::vector<RunRequest>&)>;
+
+/// How a joint fit goes about it. All numbers are ours.
+struct JointFitSetup {
+  std::size_t first_runs = 0;  ///< over the whole space; 0: five for each parameter and five more
+  std::size_t batch = 0;       ///< runs of each refinement; 0: four for each parameter
+  std::size_t most_runs = 100; ///< in all
+  double first_reach = 0.6;    ///< of the local fit after the first runs, in shares of the space
+  double shrink = 0.6;         ///< of the reach from one refinement to the next, in (0, 1)
+  double least_signal =
+      6.0;                 ///< a batch spreads so far that observables change by this many times their noise
+  double confidence = 0.9; ///< of the intervals, in (0, 1)
+  std::vector<double>
+      precision{}; ///< wanted half-widths of the intervals, in units; none: all runs are spent
+  std::uint64_t seed = 1;
+};
+
+struct Estimate {
+  double value = 0.0;
+  double low = 0.0, high = 0.0; ///< interval
+  bool determined = true;       ///< whether the data narrow it to less than half of its range
+};
+
+struct JointFit {
+  std::vector<Estimate> parameters{}; ///< in the order of the space
+  Eigen::MatrixXd correlation{};      ///< between the parameters
+  /// Directions in the space, in shares, along which the data say next to nothing; columns.
+  Eigen::MatrixXd undetermined{};
+  double misfit = 0.0;             ///< sum of squared residuals over their variances at the estimate
+  std::vector<double> residuals{}; ///< measured less simulated over the standard error of that, by observable
+  std::size_t runs = 0, failed = 0;
+  std::vector<std::string> failures{}; ///< reasons, each once
+};
+
+/// Runs the model over the whole space, then again and again around the best guess so far; in between, local
+/// polynomials through all runs near say where measured and simulated agree, weighted by both noises. It
+/// needs no derivatives, runs may be noisy, and those that fail are left out and counted.
+///
+/// The interval has the measured scatter, that of the runs through the polynomial, and a weak prior as wide
+/// as the bounds, so that it stays finite where data say nothing.
+class JointCalibration {
+public:
+  /// \throws Error for a space, observable or setup that makes no sense.
+  JointCalibration(std::vector<Parameter> space, std::vector<Measured> measured, JointFitSetup setup = {})
+      : space_{std::move(space)}, measured_{std::move(measured)}, setup_{std::move(setup)} {
+    if (space_.empty() || measured_.empty()) {
+      throw Error("calibration: needs a parameter and an observable at least");
+    }
+    for (const Parameter& p : space_) {
+      p.check();
+    }
+    for (const Measured& m : measured_) {
+      m.check();
+    }
+    const std::size_t p = space_.size();
+    setup_.first_runs = setup_.first_runs == 0 ? 5 * (p + 1) : setup_.first_runs;
+    setup_.batch = setup_.batch == 0 ? 4 * p : setup_.batch;
+    require("calibration first_runs", static_cast<double>(setup_.first_runs),
+            {static_cast<double>(p + 2), 1e9});
+    require("calibration most_runs", static_cast<double>(setup_.most_runs),
+            {static_cast<double>(setup_.first_runs), 1e9});
+    require("calibration first_reach", setup_.first_reach, {0.05, 2.0});
+    require("calibration shrink", setup_.shrink, {0.1, 0.99});
+    require_positive("calibration least_signal", setup_.least_signal);
+    require("calibration confidence", setup_.confidence, {0.01, 0.999});
+    if (!setup_.precision.empty() && setup_.precision.size() != p) {
+      throw Error(
+          message("calibration precision: ", setup_.precision.size(), " numbers for ", p, " parameters"));
+    }
+    target_.resize(static_cast<Eigen::Index>(measured_.size()));
+    for (std::size_t k = 0; k < measured_.size(); ++k) {
+      target_[static_cast<Eigen::Index>(k)] = measured_[k].mean();
+    }
+  }
+
+  /// \throws Error where too few runs come to an end.
+  JointFit fit(const RunBatch& batch) {
+    Random random{setup_.seed, "calibration"};
+    do_runs(spread_over_space(random), batch, random);
+    // From the middle of the space, of which a first fit with a long reach sees most.
+    Eigen::VectorXd estimate = Eigen::VectorXd::Constant(dimension(), 0.5);
+    double reach = std::max(setup_.first_reach, 0.51);
+    estimate = best(local(estimate, 2.0 * reach), estimate);
+    reach = setup_.first_reach;
+    while (true) {
+      const LocalResponse response = local(estimate, reach);
+      estimate = best(response, estimate);
+      JointFit result = judged(response, estimate);
+      if (result.runs + setup_.batch > setup_.most_runs || precise(result)) {
+        return result;
+      }
+      reach = std::max(setup_.shrink * reach, worthwhile_reach(response, estimate));
+      do_runs(spread_around(estimate, 0.7 * reach, random), batch, random);
+    }
+  }
+
+  [[nodiscard]] const std::vector<Parameter>& space() const { return space_; }
+  [[nodiscard]] const std::vector<Run>& runs() const { return runs_; }
+
+private:
+  [[nodiscard]] Eigen::Index dimension() const { return static_cast<Eigen::Index>(space_.size()); }
+
+  /// A Latin hypercube: each parameter takes each of n even steps once.
+  [[nodiscard]] std::vector<Eigen::VectorXd> spread_over_space(Random& random) const {
+    const std::size_t n = setup_.first_runs;
+    std::vector<Eigen::VectorXd> points(n, Eigen::VectorXd(dimension()));
+    for (Eigen::Index k = 0; k < dimension(); ++k) {
+      std::vector<std::size_t> steps(n);
+      for (std::size_t i = 0; i < n; ++i) {
+        steps[i] = i;
+      }
+      random.shuffle(std::span{steps});
+      for (std::size_t i = 0; i < n; ++i) {
+        points[i][k] = (static_cast<double>(steps[i]) + random.uniform()) / static_cast<double>(n);
+      }
+    }
+    return points;
+  }
+
+  /// Pairs on opposite sides of the estimate, within the bounds.
+  [[nodiscard]] std::vector<Eigen::VectorXd> spread_around(const Eigen::VectorXd& estimate, double radius,
+                                                           Random& random) const {
+    std::vector<Eigen::VectorXd> points;
+    while (points.size() < setup_.batch) {
+      Eigen::VectorXd aside(dimension());
+      for (Eigen::Index k = 0; k < dimension(); ++k) {
+        aside[k] = radius * random.uniform(-1.0, 1.0);
+      }
+      for (const double side : {1.0, -1.0}) {
+        if (points.size() < setup_.batch) {
+          points.emplace_back((estimate + side * aside).cwiseMax(0.0).cwiseMin(1.0));
+        }
+      }
+    }
+    return points;
+  }
+
+  void do_runs(const std::vector<Eigen::VectorXd>& points, const RunBatch& batch, Random& random) {
+    std::vector<RunRequest> requests;
+    for (const Eigen::VectorXd& at : points) {
+      RunRequest request;
+      for (std::size_t k = 0; k < space_.size(); ++k) {
+        request.parameters.push_back(space_[k].value(at[static_cast<Eigen::Index>(k)]));
+      }
+      request.seed = random.index(std::size_t{1} << 53U);
+      requests.push_back(std::move(request));
+    }
+    const std::vector<RunOutcome> outcomes = batch(requests);
+    if (outcomes.size() != requests.size()) {
+      throw Error(message("calibration: ", outcomes.size(), " outcomes of ", requests.size(), " runs"));
+    }
+    for (std::size_t r = 0; r < outcomes.size(); ++r) {
+      ++asked_;
+      if (auto observed = compared(outcomes[r])) {
+        runs_.push_back({points[r], std::move(*observed)});
+      }
+    }
+  }
+
+  /// The observables as they are compared, or nothing for a run that failed.
+  [[nodiscard]] std::optional<Eigen::VectorXd> compared(const RunOutcome& outcome) {
+    std::string failure = outcome.failure;
+    if (failure.empty() && outcome.observed.size() != measured_.size()) {
+      failure = message("it has ", outcome.observed.size(), " observables where ", measured_.size(),
+                        " were measured");
+    }
+    Eigen::VectorXd out(static_cast<Eigen::Index>(measured_.size()));
+    for (std::size_t k = 0; failure.empty() && k < measured_.size(); ++k) {
+      const double value = measured_[k].compared(outcome.observed[k]);
+      if (!std::isfinite(value)) {
+        failure = message(measured_[k].name, " = ", outcome.observed[k], " cannot be compared");
+      }
+      out[static_cast<Eigen::Index>(k)] = value;
+    }
+    if (failure.empty()) {
+      return out;
+    }
+    ++failed_;
+    if (std::find(failures_.begin(), failures_.end(), failure) == failures_.end()) {
+      failures_.push_back(failure);
+    }
+    return std::nullopt;
+  }
+
+  /// With a reach that is widened until enough runs are within it.
+  [[nodiscard]] LocalResponse local(const Eigen::VectorXd& centre, double reach) const {
+    const auto wanted = static_cast<std::size_t>(2 * (dimension() + 1));
+    while (reach < 4.0 && std::count_if(runs_.begin(), runs_.end(), [&](const Run& run) {
+                            return (run.at - centre).cwiseAbs().maxCoeff() < 0.9 * reach;
+                          }) < static_cast<std::ptrdiff_t>(wanted)) {
+      reach *= 1.2;
+    }
+    return {runs_, centre, reach};
+  }
+
+  /// Covariance of measured less simulated.
+  [[nodiscard]] Eigen::MatrixXd covariance(const LocalResponse& response, const Eigen::VectorXd& at) const {
+    Eigen::MatrixXd out = response.uncertainty(at);
+    for (std::size_t k = 0; k < measured_.size(); ++k) {
+      const auto i = static_cast<Eigen::Index>(k);
+      out(i, i) += measured_[k].variance_of_mean();
+      out(i, i) += 1e-12 * std::max(1e-12, target_[i] * target_[i]); // of data without any scatter
+    }
+    return out;
+  }
+
+  /// Prior: normal, as wide as an even distribution over the bounds.
+  static constexpr double prior_precision = 12.0;
+
+  struct Posterior {
+    Eigen::MatrixXd covariance; // in shares
+    Eigen::VectorXd residual;
+    Eigen::MatrixXd slopes, weight;
+  };
+  [[nodiscard]] Posterior posterior(const LocalResponse& response, const Eigen::VectorXd& at) const {
+    Posterior out;
+    out.residual = target_ - response.predicted(at);
+    out.slopes = response.slopes(at);
+    out.weight = covariance(response, at).inverse();
+    const Eigen::MatrixXd precision = out.slopes.transpose() * out.weight * out.slopes +
+                                      prior_precision * Eigen::MatrixXd::Identity(dimension(), dimension());
+    out.covariance = precision.inverse();
+    return out;
+  }
+
+  /// Gauss and Newton on the polynomial, within the bounds.
+  [[nodiscard]] Eigen::VectorXd best(const LocalResponse& response, Eigen::VectorXd at) const {
+    const Eigen::VectorXd middle = Eigen::VectorXd::Constant(dimension(), 0.5);
+    for (int iteration = 0; iteration < 50; ++iteration) {
+      const Posterior p = posterior(response, at);
+      const Eigen::VectorXd step =
+          p.covariance * (p.slopes.transpose() * p.weight * p.residual + prior_precision * (middle - at));
+      const Eigen::VectorXd next = (at + step.cwiseMax(-0.2).cwiseMin(0.2)).cwiseMax(0.0).cwiseMin(1.0);
+      const double moved = (next - at).cwiseAbs().maxCoeff();
+      at = next;
+      if (moved < 1e-9) {
+        break;
+      }
+    }
+    return at;
+  }
+
+  /// The reach below which runs would show more noise than answer.
+  [[nodiscard]] double worthwhile_reach(const LocalResponse& response, const Eigen::VectorXd& at) const {
+    const Eigen::MatrixXd slopes = response.slopes(at);
+    double reach = 0.0;
+    for (Eigen::Index k = 0; k < dimension(); ++k) {
+      double best_signal = 0.0; // over noise, of a step of one share
+      for (Eigen::Index i = 0; i < slopes.rows(); ++i) {
+        best_signal = std::max(best_signal,
+                               std::abs(slopes(i, k)) / std::sqrt(std::max(1e-300, response.noise()(i, i))));
+      }
+      reach =
+          std::max(reach, std::min(setup_.first_reach, setup_.least_signal / std::max(1e-9, best_signal)));
+    }
+    return reach;
+  }
+
+  [[nodiscard]] JointFit judged(const LocalResponse& response, const Eigen::VectorXd& at) const {
+    const Posterior p = posterior(response, at);
+    JointFit out;
+    double freedom = response.freedom();
+    for (const Measured& m : measured_) {
+      freedom = std::min(freedom, m.freedom() * static_cast<double>(measured_.size()));
+    }
+    const boost::math::students_t_distribution<double> student{freedom};
+    const double width = quantile(student, 0.5 + 0.5 * setup_.confidence);
+    for (Eigen::Index k = 0; k < dimension(); ++k) {
+      const Parameter& parameter = space_[static_cast<std::size_t>(k)];
+      const double half = width * std::sqrt(p.covariance(k, k));
+      out.parameters.push_back({parameter.value(at[k]), parameter.value(at[k] - half),
+                                parameter.value(at[k] + half), half < 0.25});
+    }
+    const Eigen::VectorXd scale = p.covariance.diagonal().cwiseSqrt();
+    out.correlation = scale.cwiseInverse().asDiagonal() * p.covariance * scale.cwiseInverse().asDiagonal();
+    // Where the data leave more than half of the prior's variance.
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> directions{p.covariance};
+    std::vector<Eigen::Index> open;
+    for (Eigen::Index k = 0; k < dimension(); ++k) {
+      if (directions.eigenvalues()[k] * prior_precision > 0.5) {
+        open.push_back(k);
+      }
+    }
+    out.undetermined.resize(dimension(), static_cast<Eigen::Index>(open.size()));
+    for (std::size_t k = 0; k < open.size(); ++k) {
+      out.undetermined.col(static_cast<Eigen::Index>(k)) = directions.eigenvectors().col(open[k]);
+    }
+    out.misfit = p.residual.dot(p.weight * p.residual);
+    const Eigen::MatrixXd sum = covariance(response, at);
+    for (Eigen::Index i = 0; i < p.residual.size(); ++i) {
+      out.residuals.push_back(p.residual[i] / std::sqrt(sum(i, i)));
+    }
+    out.runs = asked_;
+    out.failed = failed_;
+    out.failures = failures_;
+    return out;
+  }
+
+  [[nodiscard]] bool precise(const JointFit& fit) const {
+    if (setup_.precision.empty()) {
+      return false;
+    }
+    for (std::size_t k = 0; k < space_.size(); ++k) {
+      if (0.5 * (fit.parameters[k].high - fit.parameters[k].low) > setup_.precision[k]) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  std::vector<Parameter> space_;
+  std::vector<Measured> measured_;
+  JointFitSetup setup_;
+  Eigen::VectorXd target_;
+  std::vector<Run> runs_; // those that came to an end
+  std::size_t asked_ = 0, failed_ = 0;
+  std::vector<std::string> failures_;
+};
+
+} // namespace scree
