@@ -97,9 +97,9 @@ private:
   }
 
   void make_bed(Rig& rig) {
-    const scree::Assembly assembly = drag::rock(p_);
+    const scree::Assembly assembly = p_.rock.assembly();
     const scree::BedReport& bed =
-        rig.make_bed(assembly, [&](const auto& simulation, const scree::BedStage& stage) {
+        rig.make_bed(assembly, [&](const auto& simulation, const scree::Stage& stage) {
           // A bed falls and comes to rest within a few times the fall through its depth.
           const double expected = 4.0 * std::sqrt(2.0 * p_.setup.bed_depth / 9.81);
           count(simulation);

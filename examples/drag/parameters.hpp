@@ -4,8 +4,8 @@
 
 #include "scree/geometry/dragline_bucket.hpp"
 #include "scree/laboratory/drag_setup.hpp"
-#include "scree/packing/sieve_curve.hpp"
 #include "support/options.hpp"
+#include "support/rock_options.hpp"
 
 #include <cstdint>
 #include <string>
@@ -19,17 +19,10 @@ using scree::examples::Provenance;
 /// What the program is given beside the experiment itself.
 struct Parameters {
   std::string fidelity = "desk";
+  scree::examples::RockOptions rock{true};
   std::string out;
   scree::DragSetup setup;
   std::uint64_t threads = 0;
-  std::string stiffness = "of_particle", mass_convention = "sum_of_spheres", sieve_basis = "mass";
-
-  // Shapes of the paper's Fig. 6, fractions of Fig. 7 and sieve curves of Fig. 8: the figures' numbers are
-  // not in the text.
-  std::vector<double> fractions{0.30, 0.30, 0.25, 0.15};
-  std::vector<double> openings{0.0095, 0.0132, 0.019, 0.0265, 0.0375}; // m [paper, section 4.2]
-  std::vector<std::vector<double>> passing; // for each shape, cumulative share below each opening
-
   scree::DraglineBucket bucket;
   std::string bucket_stl, interior_stl, detail = "simplified";
   double stl_scale = 1.0, stl_weld = 1e-6;
@@ -45,33 +38,14 @@ struct Parameters {
 inline Parameters defaults(const std::string& fidelity) {
   Parameters p;
   p.fidelity = fidelity;
-  const scree::SieveCurve curve = scree::default_sieve_curve();
-  std::vector<double> shares;
-  for (const double opening : p.openings) {
-    shares.push_back(curve.passing(opening));
-  }
-  p.passing.assign(4, shares);
+  p.rock = scree::examples::RockOptions{fidelity == "desk"};
   for (const auto& hitch : scree::hitch_points(p.bucket)) {
     (hitch.y() > 0.0 ? p.hitch_left : p.hitch_right) = {hitch.x(), hitch.y(), hitch.z()};
   }
   if (fidelity == "desk") {
     p.setup = scree::desk_drag();
-    // Without the two finest classes, which would be most of the grains and set the time step.
-    p.passing.assign(4, {0.0, 0.0, 0.2, 1.0, 1.0});
   }
   return p;
-}
-
-inline void add_material(Options& options, const std::string& prefix, scree::Material& m,
-                         Provenance stiffness_from, Provenance friction_from) {
-  const auto of = [&](const char* field) { return prefix + "." + field; };
-  options.add(of("normal_stiffness"), m.normal_stiffness, {1.0, 1e12, "N/m"}, "normal stiffness",
-              stiffness_from);
-  options.add(of("shear_stiffness"), m.shear_stiffness, {0.0, 1e12, "N/m"}, "shear stiffness",
-              stiffness_from);
-  options.add(of("friction"), m.friction, {0.0, 10.0}, "friction coefficient; a pair takes the smaller",
-              friction_from);
-  options.add(of("restitution"), m.restitution, {0.01, 1.0}, "restitution; a pair takes the smaller");
 }
 
 /// Binds every parameter to its option.
@@ -94,30 +68,12 @@ inline void bind(Options& options, Parameters& p) {
   options.add("skin_share", p.skin_share, {0.01, 10.0},
               "skin of the neighbour list over the smallest radius");
 
-  options.group("Rock");
-  options.add("rock.density", s.rock.density, {1.0, 2e4, "kg/m3"}, "of the particles (Table 1)",
-              Provenance::paper);
-  add_material(options, "rock", s.rock, paper_in_lab, Provenance::paper);
-  options.add("rock.stiffness_is", p.stiffness, {"of_particle", "of_contact"},
-              "two particles in series (the paper's convention) or the contact itself", Provenance::paper);
-  options.add("rock.mass_convention", p.mass_convention, {"union_of_spheres", "sum_of_spheres"},
-              "how the mass of a clump is counted");
-  options.add("rock.size_factor", s.size_factor, {0.05, 50.0}, "on all sieve sizes; 1 is the paper's rock",
-              paper_in_lab);
+  p.rock.bind(options);
   options.add("rock.local_damping", s.local_damping, {0.0, 0.99}, "non-viscous, while the bucket digs");
-  options.add("rock.openings", p.openings, {1e-5, 10.0, "m"}, "sieves, ascending", Provenance::paper);
-  options.add("rock.fractions", p.fractions, {0.0, 1.0},
-              "shares by number of aligned, pyramid, flat and sphere");
-  options.add("rock.sieve_basis", p.sieve_basis, {"mass", "number"}, "what the passing shares are shares of");
-  const char* names[] = {"aligned", "pyramid", "flat", "sphere"};
-  for (std::size_t k = 0; k < 4; ++k) {
-    options.add(std::string{"rock.passing_"} + names[k], p.passing[k], {0.0, 1.0},
-                std::string{"cumulative share of the "} + names[k] + " shape below each opening, 0 to 1");
-  }
 
   options.group("What the rock touches");
-  add_material(options, "steel", s.steel, Provenance::ours, Provenance::ours);
-  add_material(options, "trough", s.floor, Provenance::ours, Provenance::ours);
+  scree::examples::add_contact_options(options, "steel", s.steel, Provenance::ours, Provenance::ours);
+  scree::examples::add_contact_options(options, "trough", s.floor, Provenance::ours, Provenance::ours);
 
   options.group("Bed");
   options.add("bed.length", s.bed_length, {0.01, 1e3, "m"}, "of the trough", paper_in_lab);
@@ -209,12 +165,13 @@ inline void bind(Options& options, Parameters& p) {
   options.add("rig.removal_interval", s.removal_interval, {1e-4, 1e3, "m"}, "of drag, between two removals");
 }
 
-/// Carries texts over into the setup.
+/// Carries what is not bound to the setup itself over into it.
 inline void apply(Parameters& p) {
   p.setup.threads = static_cast<unsigned>(p.threads);
-  p.setup.stiffness =
-      p.stiffness == "of_particle" ? scree::Stiffness::of_particle : scree::Stiffness::of_contact;
-  p.setup.mass_convention = scree::parse_mass_convention(p.mass_convention);
+  p.setup.rock = p.rock.material();
+  p.setup.size_factor = p.rock.size_factor();
+  p.setup.stiffness = p.rock.stiffness();
+  p.setup.mass_convention = p.rock.mass_convention();
 }
 
 } // namespace drag

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The rock and the bucket that the parameters describe.
+/// The bucket that the parameters describe, and the table of the grains' sizes.
 
 #include "parameters.hpp"
 
@@ -17,18 +17,6 @@
 #include <vector>
 
 namespace drag {
-
-inline scree::Assembly rock(const Parameters& p) {
-  const auto shapes = scree::paper_shapes(p.setup.mass_convention);
-  std::vector<scree::ShapeFraction> parts;
-  for (std::size_t k = 0; k < shapes.size(); ++k) {
-    parts.push_back(
-        {shapes[k], p.fractions[k],
-         scree::SieveCurve{p.openings, p.passing[k],
-                           p.sieve_basis == "mass" ? scree::SieveBasis::mass : scree::SieveBasis::number}});
-  }
-  return scree::Assembly{std::move(parts), p.setup.size_factor};
-}
 
 /// The bucket, and words on what was assumed of it.
 inline scree::BucketBody bucket(const Parameters& p, std::vector<std::string>& remarks) {

@@ -29,7 +29,7 @@ Made small_bed(const BedRecipe& recipe, std::uint64_t seed,
   Random random{seed, "bed"};
   Made made{};
   made.report = settle_bed(simulation, bed, Assembly{default_rock(), 1.3}, rock, recipe, random,
-                           [](const auto&, const BedStage&) {});
+                           [](const auto&, const Stage&) {});
   made.hash = state_hash(simulation.bodies());
   made.highest = -1.0;
   for (std::size_t b = 0; b < simulation.bodies().size(); ++b) {

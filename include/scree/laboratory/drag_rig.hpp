@@ -58,7 +58,7 @@ public:
         {.name = "trough", .surfaces = setup_.container().surfaces(floor), .dynamics = Fixed{}});
   }
 
-  /// Fills the trough. `watch(simulation, BedStage)` is called after every step.
+  /// Fills the trough. `watch(simulation, Stage)` is called after every step.
   template <class Watch>
   const BedReport& make_bed(const Assembly& assembly, Watch watch) {
     report_ = settle_bed(simulation_, setup_.container(), assembly, rock_, setup_.bed, random_, watch);

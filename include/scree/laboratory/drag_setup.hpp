@@ -5,6 +5,7 @@
 #include "scree/geometry/clump.hpp"
 #include "scree/geometry/mass_properties.hpp"
 #include "scree/laboratory/bed_container.hpp"
+#include "scree/laboratory/rock_sample.hpp"
 #include "scree/laboratory/settled_bed.hpp"
 #include "scree/material/pair.hpp"
 
@@ -21,12 +22,7 @@ struct DragSetup {
   unsigned threads = 0; ///< 0: one for each processor
 
   // The rock.
-  Material rock{.name = "rock",
-                .density = 1518.0,          // kg/m3 [paper, Table 1]
-                .normal_stiffness = 1.75e7, // N/m, of a particle [paper, Table 1]
-                .shear_stiffness = 1.75e7,  // N/m [paper, Table 1]
-                .friction = 0.53,           // [paper, Table 1]
-                .restitution = 0.6};
+  Material rock = paper_material();
   Stiffness stiffness = Stiffness::of_particle;
   MassConvention mass_convention = MassConvention::sum_of_spheres;
   double size_factor = 1.0; ///< on the sieve sizes

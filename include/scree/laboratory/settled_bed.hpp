@@ -3,8 +3,9 @@
 /// The recipe that fills a trough with rock at rest.
 
 #include "scree/laboratory/bed_container.hpp"
+#include "scree/laboratory/come_to_rest.hpp"
+#include "scree/laboratory/stage.hpp"
 #include "scree/measure/porosity.hpp"
-#include "scree/measure/unbalanced_force.hpp"
 #include "scree/packing/assembly.hpp"
 #include "scree/packing/loose_pile.hpp"
 #include "scree/simulation/run.hpp"
@@ -29,6 +30,9 @@ struct BedRecipe {
   double rest_speed = 0.05;          ///< m/s, above which a grain moves
   double rest_share = 0.0;           ///< of the grains that may still move in a bed at rest, in [0, 1]
   double patience = 3.0;             ///< s of simulated time for each stage, above 0
+
+  /// What counts as rest, where a share `moving` of the grains may still move.
+  [[nodiscard]] RestCriterion criterion(double moving) const { return {rest, rest_speed, moving, patience}; }
 };
 
 /// What came of it.
@@ -42,12 +46,6 @@ struct BedReport {
   std::size_t poured = 0, kept = 0;
   std::vector<DrawnClump> drawn{}; ///< what was poured, for its histogram
   double duration = 0.0;           ///< s, simulated
-};
-
-/// Stages that `settle_bed` reports to its observer.
-struct BedStage {
-  std::string name;
-  double share = 0.0; ///< rough share of the recipe that is done
 };
 
 namespace detail {
@@ -87,66 +85,6 @@ inline Packing poured(const BedContainer& bed, const Assembly& assembly, Materia
   return pile;
 }
 
-/// How far a bed is from rest.
-struct Unrest {
-  double unbalanced = 1.0; ///< mean unbalanced over mean contact force
-  double moving = 1.0;     ///< share of the grains
-
-  [[nodiscard]] bool within(const Unrest& bounds) const {
-    return unbalanced <= bounds.unbalanced && moving <= bounds.moving;
-  }
-};
-
-/// \param rest_speed m/s, above which a grain moves
-template <class Simulation>
-Unrest unrest(const Simulation& simulation, double rest_speed) {
-  const auto& bodies = simulation.bodies();
-  std::size_t moving = 0;
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    moving += bodies.velocity(b).norm() > rest_speed ? 1 : 0;
-  }
-  return {unbalanced_force(simulation).ratio(),
-          static_cast<double>(moving) / static_cast<double>(std::max<std::size_t>(1, bodies.size()))};
-}
-
-/// Takes all motion away.
-template <class Simulation>
-void stop_all(Simulation& simulation) {
-  for (std::size_t b = 0; b < simulation.bodies().size(); ++b) {
-    simulation.set_motion(b, Vector::Zero(), Vector::Zero());
-  }
-}
-
-/// Steps, for `least` [s] at least, until the bed is within `bounds` or the patience is over. When its forces
-/// are balanced, every grain is stopped from time to time, as those few that roll over the surface would roll
-/// for seconds: what is not in balance starts again by itself.
-template <class Simulation, class Watch>
-Unrest come_to_rest(Simulation& simulation, const BedRecipe& recipe, const Unrest& bounds, double least,
-                    Watch& watch) {
-  constexpr double interval = 0.02; // s, ours: a grain in free fall comes to 0.2 m/s
-  const double start = simulation.time();
-  double next = start + least;
-  Unrest now;
-  run_while(
-      simulation,
-      [&](const auto& s) {
-        if (s.time() < next) {
-          return true;
-        }
-        next = s.time() + interval;
-        now = unrest(s, recipe.rest_speed);
-        if (now.within(bounds) || s.time() >= start + recipe.patience) {
-          return false;
-        }
-        if (now.unbalanced <= bounds.unbalanced) {
-          stop_all(simulation);
-        }
-        return true;
-      },
-      watch);
-  return now;
-}
-
 } // namespace detail
 
 /// Shakes the bed without friction until `measured()` reaches the porosity `target` or the patience is over,
@@ -184,7 +122,7 @@ bool densify(Simulation& simulation, MaterialId rock, const BedRecipe& recipe, d
       watch);
   simulation.set_gravity(gravity);
   simulation.change_material(rock, material);
-  detail::stop_all(simulation);
+  stop_all(simulation);
   if (porosity > target && porosity > recipe.porosity + recipe.porosity_tolerance) {
     throw Error(message("bed porosity = ", recipe.porosity, " is denser than this material packs: it allows ",
                         densest, " to ", loosest));
@@ -195,7 +133,7 @@ bool densify(Simulation& simulation, MaterialId rock, const BedRecipe& recipe, d
 /// Pours grains of `assembly` into `bed`, lets them come to rest, makes them denser where a porosity is
 /// requested, strikes them off at the brim and lets them rest again. The walls of the bed must be in the
 /// simulation. The bed stays in the simulation with the history of its contacts. `watch(simulation,
-/// BedStage)` is called after every step.
+/// Stage)` is called after every step.
 ///
 /// Denser: the friction between grains is taken away while the bed is shaken gently and given back, once or
 /// more, until the porosity is reached. So a requested porosity lies between what gentle pouring leaves and
@@ -229,10 +167,10 @@ BedReport settle_bed(Simulation& simulation, const BedContainer& bed, const Asse
   const double damping = simulation.setup().local_damping;
   simulation.set_local_damping(recipe.settling_damping);
   const double fall = std::sqrt(2.0 * 2.0 * depth / std::max(1e-9, simulation.setup().gravity.norm()));
-  BedStage stage{"settling", 0.0};
+  Stage stage{"settling", 0.0};
   const auto observe = [&](auto& s) { watch(s, stage); };
   // What still rolls over the surface is struck off or shaken anyway.
-  detail::come_to_rest(simulation, recipe, {recipe.rest, 1.0}, fall, observe);
+  come_to_rest(simulation, recipe.criterion(1.0), fall, observe);
 
   const Eigen::AlignedBox3d core = detail::bed_core(bed, grain);
   const auto measured = [&] { return porosity(simulation.bodies(), core); };
@@ -250,7 +188,7 @@ BedReport settle_bed(Simulation& simulation, const BedContainer& bed, const Asse
       // Grains pack on while friction takes hold again: the last third of the way is left to them.
       const double target = recipe.porosity + (report.porosity - recipe.porosity) / 3.0;
       denser = densify(simulation, rock, recipe, target, measured, observe);
-      detail::come_to_rest(simulation, recipe, {recipe.rest, 1.0}, 0.02, observe);
+      come_to_rest(simulation, recipe.criterion(1.0), 0.02, observe);
       const double now = measured();
       denser = denser && now < report.porosity;
       report.porosity = now;
@@ -259,11 +197,10 @@ BedReport settle_bed(Simulation& simulation, const BedContainer& bed, const Asse
 
   stage = {"striking off", 0.8};
   simulation.remove_bodies([](const auto& bodies, std::size_t b) { return bodies.position(b).z() > 0.0; });
-  const detail::Unrest rest{recipe.rest, recipe.rest_share};
-  const detail::Unrest left = detail::come_to_rest(simulation, recipe, rest, 0.05, observe);
+  const Unrest left = come_to_rest(simulation, recipe.criterion(recipe.rest_share), 0.05, observe);
   report.unbalanced = left.unbalanced;
   report.moving = left.moving;
-  report.at_rest = left.within(rest);
+  report.at_rest = left.within(recipe.criterion(recipe.rest_share));
   simulation.set_local_damping(damping);
   report.porosity = measured();
   report.kept = simulation.bodies().size();

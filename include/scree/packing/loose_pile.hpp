@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 #include <span>
 #include <utility>
 #include <vector>
@@ -79,26 +80,20 @@ private:
   std::vector<std::vector<Sphere>> spheres_;
 };
 
-} // namespace detail
+/// What a body in its orientation needs around its place.
+struct BodyReach {
+  Vector least = Vector::Zero(), most = Vector::Zero(); ///< m, of its box
+  double aside = 0.0; ///< m, of its farthest point from the vertical through its place
+};
 
-/// Piles the drawn clumps, at rest, on the bottom of `footprint` as high as they need; the top of the box
-/// plays no part. No two bodies overlap, and all lie within the sides and above the bottom of the box.
-///
-/// Ballistic deposition: each body in turn comes straight down and stays where one of its spheres first meets
-/// another or the bottom. Of several random places and orientations the one where it comes lowest is taken.
-/// \param shapes clumps at unit scale
-/// \param drawn the bodies, in the order in which they are placed and returned
-/// \param footprint box [m], wider than the largest bounding sphere
-/// \param random places and orientations
-/// \param gap distance at which spheres meet, as a fraction of the sum of their radii, 0 to 1
-/// \param trials places tried for each body, 1 to 1000; more give a denser pile
-/// \throws Error for a shape that does not exist, a scale not above zero, or a footprint that is too small.
-inline Packing loose_pile(const std::vector<Clump>& shapes, std::span<const DrawnClump> drawn,
-                          const Eigen::AlignedBox3d& footprint, Random& random, double gap = 0.01,
-                          std::size_t trials = 10) {
+/// Ballistic deposition on the plane z = floor. `place(random, BodyReach)` gives where, seen from above.
+template <class Place>
+Packing piled(const std::vector<Clump>& shapes, std::span<const DrawnClump> drawn,
+              const Eigen::AlignedBox3d& footprint, const Place& place, Random& random, double gap,
+              std::size_t trials) {
   require("gap of the loose pile", gap, {0.0, 1.0});
   require("places tried for each body", static_cast<double>(trials), {1.0, 1000.0});
-  detail::require_placeable(shapes, drawn, footprint, gap);
+  require_placeable(shapes, drawn, footprint, gap);
   Packing packing{shapes, {}};
   if (drawn.empty()) {
     return packing;
@@ -110,7 +105,7 @@ inline Packing loose_pile(const std::vector<Clump>& shapes, std::span<const Draw
     }
   }
 
-  detail::LandingField field{footprint, largest_radius};
+  LandingField field{footprint, largest_radius};
   packing.bodies.reserve(drawn.size());
   for (const DrawnClump& d : drawn) {
     PackedBody best;
@@ -122,16 +117,14 @@ inline Packing loose_pile(const std::vector<Clump>& shapes, std::span<const Draw
       body.scale = d.scale;
       body.orientation = random.orientation();
       auto spheres = spheres_in_space(packing, body); // about the origin
-      Vector least = Vector::Zero();
-      Vector most = Vector::Zero();
+      BodyReach reach;
       for (Sphere& s : spheres) {
         s.radius *= 1.0 + gap;
-        least = least.cwiseMin((s.centre.array() - s.radius).matrix());
-        most = most.cwiseMax((s.centre.array() + s.radius).matrix());
+        reach.least = reach.least.cwiseMin((s.centre.array() - s.radius).matrix());
+        reach.most = reach.most.cwiseMax((s.centre.array() + s.radius).matrix());
+        reach.aside = std::max(reach.aside, s.centre.head<2>().norm() + s.radius);
       }
-      const Vector low = footprint.min() - least;
-      const Vector high = footprint.max() - most;
-      body.position = Vector{random.uniform(low.x(), high.x()), random.uniform(low.y(), high.y()), low.z()};
+      body.position << place(random, reach), footprint.min().z() - reach.least.z();
       for (Sphere& s : spheres) {
         s.centre += Vector{body.position.x(), body.position.y(), 0.0};
         const double landed = field.landing(s, body.position.z() + s.centre.z());
@@ -150,6 +143,54 @@ inline Packing loose_pile(const std::vector<Clump>& shapes, std::span<const Draw
     packing.bodies.push_back(best);
   }
   return packing;
+}
+
+} // namespace detail
+
+/// Piles the drawn clumps, at rest, on the bottom of `footprint` as high as they need; the top of the box
+/// plays no part. No two bodies overlap, and all lie within the sides and above the bottom of the box.
+///
+/// Ballistic deposition: each body in turn comes straight down and stays where one of its spheres first meets
+/// another or the bottom. Of several random places and orientations the one where it comes lowest is taken.
+/// \param shapes clumps at unit scale
+/// \param drawn the bodies, in the order in which they are placed and returned
+/// \param footprint box [m], wider than the largest bounding sphere
+/// \param random places and orientations
+/// \param gap distance at which spheres meet, as a fraction of the sum of their radii, 0 to 1
+/// \param trials places tried for each body, 1 to 1000; more give a denser pile
+/// \throws Error for a shape that does not exist, a scale not above zero, or a footprint that is too small.
+inline Packing loose_pile(const std::vector<Clump>& shapes, std::span<const DrawnClump> drawn,
+                          const Eigen::AlignedBox3d& footprint, Random& random, double gap = 0.01,
+                          std::size_t trials = 10) {
+  const auto place = [&footprint](Random& from, const detail::BodyReach& reach) {
+    const Vector low = footprint.min() - reach.least;
+    const Vector high = footprint.max() - reach.most;
+    const double x = from.uniform(low.x(), high.x());
+    return Eigen::Vector2d{x, from.uniform(low.y(), high.y())};
+  };
+  return detail::piled(shapes, drawn, footprint, place, random, gap, trials);
+}
+
+/// A circle about the vertical through the origin, to pile grains on.
+struct RoundFootprint {
+  double radius = 0.0; ///< m
+  double floor = 0.0;  ///< m, its height
+};
+
+/// As above, within a circle.
+/// \throws Error as above.
+inline Packing loose_pile(const std::vector<Clump>& shapes, std::span<const DrawnClump> drawn,
+                          const RoundFootprint& footprint, Random& random, double gap = 0.01,
+                          std::size_t trials = 10) {
+  require_positive("radius of the footprint", footprint.radius, "m");
+  const double r = footprint.radius;
+  const Eigen::AlignedBox3d around{Vector{-r, -r, footprint.floor}, Vector{r, r, footprint.floor + 2.0 * r}};
+  const auto place = [r](Random& from, const detail::BodyReach& reach) {
+    const double distance = (r - reach.aside) * std::sqrt(from.uniform());
+    const double angle = from.uniform(0.0, 2.0 * std::numbers::pi);
+    return Eigen::Vector2d{distance * std::cos(angle), distance * std::sin(angle)};
+  };
+  return detail::piled(shapes, drawn, around, place, random, gap, trials);
 }
 
 } // namespace scree

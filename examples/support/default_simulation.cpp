@@ -1,0 +1,3 @@
+#include "support/default_simulation.hpp"
+
+template class scree::Simulation<>;

@@ -1,0 +1,229 @@
+#pragma once
+/// \file
+/// Many independent runs: on all cores, each kept when it ends, none done twice.
+
+#include "scree/core/error.hpp"
+#include "scree/io/atomic_file.hpp"
+#include "scree/io/number_text.hpp"
+#include "scree/io/read_text.hpp"
+
+#include <boost/uuid/name_generator_sha1.hpp>
+#include <boost/uuid/uuid.hpp>
+#include <boost/uuid/uuid_io.hpp>
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <exception>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace scree {
+
+/// One run of a campaign.
+struct Job {
+  /// Everything that decides on the outcome, as one line of text: kind of experiment, all parameters, seed,
+  /// version. Jobs of the same key are the same run.
+  std::string key;
+  /// What to do. An Error that it throws is an outcome too; any other exception ends the campaign.
+  std::function<std::vector<double>()> work;
+};
+
+struct JobOutcome {
+  std::vector<double> values{};
+  std::string failure{}; ///< why there are no values
+  bool kept = false;     ///< it was there already
+};
+
+/// Runs jobs side by side and keeps each outcome in a file of its own, named by a hash of the key: a campaign
+/// that is killed and started again repeats none. Outcomes do not depend on the number of workers.
+class Campaign {
+public:
+  /// Told of every outcome, one at a time: how many are done, of how many, and the last one.
+  using Watch = std::function<void(std::size_t done, std::size_t all, const JobOutcome& last)>;
+
+  /// \param folder for the outcomes, made if need be; empty: nothing is kept
+  /// \param workers 0: one for each processor
+  /// \throws Error naming the folder if it cannot be made.
+  explicit Campaign(std::filesystem::path folder = {}, unsigned workers = 0)
+      : folder_{std::move(folder)},
+        workers_{workers > 0 ? workers : std::max(1U, std::thread::hardware_concurrency())} {
+    if (!folder_.empty()) {
+      std::error_code error;
+      std::filesystem::create_directories(folder_, error);
+      if (error || !std::filesystem::is_directory(folder_)) {
+        throw Error(message(folder_.string(), ": cannot be made: ", error.message()));
+      }
+    }
+  }
+
+  /// The outcomes, in the order of the jobs.
+  /// \throws Error for a key that is empty or more than one line, or a kept file that is not what it should
+  /// be; what a job throws beside Error, once the jobs under way have ended.
+  std::vector<JobOutcome> run(const std::vector<Job>& jobs, const Watch& watch = {}) const {
+    std::vector<JobOutcome> outcomes(jobs.size());
+    std::map<std::string, std::size_t> first; // of each key
+    std::vector<std::size_t> open, again;
+    std::size_t done = 0;
+    const auto tell = [&](const JobOutcome& outcome) {
+      ++done;
+      if (watch) {
+        watch(done, jobs.size(), outcome);
+      }
+    };
+    for (std::size_t j = 0; j < jobs.size(); ++j) {
+      check(jobs[j].key);
+      if (!first.emplace(jobs[j].key, j).second) {
+        again.push_back(j);
+      } else if (auto known = kept(jobs[j].key)) {
+        outcomes[j] = std::move(*known);
+        tell(outcomes[j]);
+      } else {
+        open.push_back(j);
+      }
+    }
+    std::mutex one_at_a_time;
+    do_all(open, [&](std::size_t j) {
+      JobOutcome outcome = outcome_of(jobs[j]);
+      keep(jobs[j].key, outcome);
+      const std::lock_guard lock{one_at_a_time};
+      outcomes[j] = std::move(outcome);
+      tell(outcomes[j]);
+    });
+    for (const std::size_t j : again) {
+      outcomes[j] = outcomes[first.at(jobs[j].key)];
+      tell(outcomes[j]);
+    }
+    return outcomes;
+  }
+
+  /// The file that keeps the outcome of a job.
+  [[nodiscard]] std::filesystem::path file_of(const std::string& key) const {
+    boost::uuids::name_generator_sha1 hash{boost::uuids::ns::oid()};
+    return folder_ / (boost::uuids::to_string(hash(key)) + ".run");
+  }
+
+private:
+  static constexpr const char* first_line = "scree run, format 1";
+
+  static void check(const std::string& key) {
+    if (key.empty() || key.find_first_of("\r\n") != std::string::npos) {
+      throw Error(message("campaign: the key '", key, "' must be one line of text"));
+    }
+  }
+
+  static JobOutcome outcome_of(const Job& job) {
+    JobOutcome outcome;
+    try {
+      outcome.values = job.work();
+    } catch (const Error& error) {
+      outcome.failure = error.what();
+      std::replace(outcome.failure.begin(), outcome.failure.end(), '\n', ' ');
+    }
+    return outcome;
+  }
+
+  /// Calls `work` for all numbers, on as many threads as there are workers; they take the next one each.
+  template <class Work>
+  void do_all(const std::vector<std::size_t>& numbers, const Work& work) const {
+    std::atomic<std::size_t> next{0};
+    std::atomic<bool> stop{false};
+    std::mutex failing;
+    std::exception_ptr failure;
+    const auto go = [&] {
+      while (!stop) {
+        const std::size_t n = next++;
+        if (n >= numbers.size()) {
+          return;
+        }
+        try {
+          work(numbers[n]);
+        } catch (...) {
+          const std::lock_guard lock{failing};
+          failure = failure ? failure : std::current_exception();
+          stop = true;
+        }
+      }
+    };
+    std::vector<std::thread> others;
+    for (std::size_t k = 1; k < std::min<std::size_t>(workers_, numbers.size()); ++k) {
+      others.emplace_back(go);
+    }
+    go();
+    for (std::thread& other : others) {
+      other.join();
+    }
+    if (failure) {
+      std::rethrow_exception(failure);
+    }
+  }
+
+  void keep(const std::string& key, const JobOutcome& outcome) const {
+    if (folder_.empty()) {
+      return;
+    }
+    std::string text = message(first_line, "\nkey ", key, "\n");
+    if (!outcome.failure.empty()) {
+      text += message("failure ", outcome.failure, "\n");
+    }
+    for (const double value : outcome.values) {
+      text += message("value ", number_text(value), "\n");
+    }
+    write_atomically(file_of(key), text + "end\n");
+  }
+
+  [[nodiscard]] std::optional<JobOutcome> kept(const std::string& key) const {
+    const auto file = folder_.empty() ? std::filesystem::path{} : file_of(key);
+    if (folder_.empty() || !std::filesystem::exists(file)) {
+      return std::nullopt;
+    }
+    std::istringstream lines{read_text(file, std::size_t{1} << 28U)};
+    std::size_t number = 0;
+    std::string line;
+    const auto next = [&] {
+      ++number;
+      return static_cast<bool>(std::getline(lines, line));
+    };
+    const auto refuse = [&](const char* why) {
+      throw file_error(file, number, message(why, "; delete the file to do its run again"));
+    };
+    if (!next() || line != first_line) {
+      refuse("this is no kept run of this version");
+    }
+    if (!next() || line != "key " + key) {
+      refuse("this is kept of another run");
+    }
+    JobOutcome outcome;
+    outcome.kept = true;
+    while (next() && line != "end") {
+      if (line.rfind("failure ", 0) == 0) {
+        outcome.failure = line.substr(8);
+      } else if (const auto value = line.rfind("value ", 0) == 0
+                                        ? parse_number(std::string_view{line}.substr(6))
+                                        : std::nullopt) {
+        outcome.values.push_back(*value);
+      } else {
+        refuse("this is neither a value nor a failure");
+      }
+    }
+    if (line != "end") {
+      refuse("the file ends early");
+    }
+    return outcome;
+  }
+
+  std::filesystem::path folder_;
+  unsigned workers_;
+};
+
+} // namespace scree

@@ -1,0 +1,224 @@
+#pragma once
+/// \file
+/// Angle of repose: a heap below a funnel, or of a lifted cylinder (Coetzee et al. 2010, section 4.5).
+
+#include "scree/core/random.hpp"
+#include "scree/laboratory/heap_setup.hpp"
+#include "scree/simulation/simulation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <numbers>
+#include <utility>
+
+namespace scree {
+
+/// Makes a heap and measures its angle.
+///
+///     scree::HeapTest<> test{scree::desk_heap()};
+///     const scree::HeapAngle& flank = test.run().flank; // flank.angle, flank.standard_error [rad]
+template <class Model = DefaultModel>
+class HeapTest {
+public:
+  using Sim = Simulation<Model>;
+  using Setting = HeapSetup;
+  using Result = HeapResult;
+
+  /// \throws Error for a parameter out of its range.
+  explicit HeapTest(HeapSetup setup, Setup<Model> physics = {})
+      : setup_{std::move(setup)},
+        simulation_{with_sample(std::move(physics), setup_.sample, setup_.threads)} {
+    setup_.check();
+    rock_ = simulation_.add_material(setup_.sample.rock);
+    rig_ = simulation_.add_material(setup_.sample.rig);
+    const MaterialId plate = simulation_.add_material(setup_.plate);
+    simulation_.add_wall({.name = "plate", .surfaces = {{Plane{}, plate}}, .dynamics = Fixed{}});
+  }
+
+  /// Once. `watch(simulation, Stage)` is called after every step.
+  /// \throws Error where grains stay in the funnel or there is no heap.
+  template <class Watch>
+  const HeapResult& run(Watch watch) {
+    Random random{setup_.seed, "filling"};
+    const double begin =
+        setup_.method == HeapSetup::Method::funnel ? fill_funnel(random, watch) : fill_tube(random, watch);
+    result_.flow_time = simulation_.time() - begin;
+    const Stage stage{"coming to rest", 0.9};
+    const auto observe = [&](const auto& s) { watch(s, stage); };
+    result_.unrest = come_to_rest(simulation_, setup_.rest, 0.05, observe);
+    const auto& bodies = simulation_.bodies();
+    result_.grains = bodies.size();
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+      result_.mass += bodies.mass(b);
+    }
+    result_.flank = heap_angle(bodies, setup_.flank);
+    return result_;
+  }
+  const HeapResult& run() {
+    return run([](const auto&, const Stage&) {});
+  }
+
+  [[nodiscard]] const HeapSetup& setup() const { return setup_; }
+  [[nodiscard]] const HeapResult& result() const { return result_; }
+  [[nodiscard]] const Sim& simulation() const { return simulation_; }
+
+private:
+  /// s, when shutter or tube begin to move; both stand still before.
+  using Begin = std::shared_ptr<double>;
+  static Begin never() { return std::make_shared<double>(std::numeric_limits<double>::infinity()); }
+
+  /// A cone of flat facets, and the disc that closes it, its origin in the middle of the outlet.
+  [[nodiscard]] TriangleMesh cone() const {
+    constexpr std::uint32_t sides = 48;
+    const Funnel& f = setup_.funnel;
+    TriangleMesh mesh;
+    for (std::uint32_t k = 0; k < sides; ++k) {
+      const double azimuth = 2.0 * std::numbers::pi * k / sides;
+      const Vector out{std::cos(azimuth), std::sin(azimuth), 0.0};
+      mesh.vertices.emplace_back(f.outlet * out);
+      mesh.vertices.emplace_back(f.rim * out + f.height() * Vector::UnitZ());
+      const std::uint32_t low = 2 * k, next = 2 * ((k + 1) % sides);
+      mesh.facets.push_back({low, next, low + 1});
+      mesh.facets.push_back({low + 1, next, next + 1});
+    }
+    return mesh;
+  }
+  [[nodiscard]] TriangleMesh disc() const {
+    constexpr std::uint32_t sides = 48;
+    TriangleMesh mesh;
+    mesh.vertices.emplace_back(Vector::Zero());
+    for (std::uint32_t k = 0; k < sides; ++k) {
+      const double azimuth = 2.0 * std::numbers::pi * k / sides;
+      mesh.vertices.emplace_back(1.05 * setup_.funnel.outlet *
+                                 Vector{std::cos(azimuth), std::sin(azimuth), 0.0});
+      mesh.facets.push_back({0, k + 1, (k + 1) % sides + 1});
+    }
+    return mesh;
+  }
+
+  /// Fills the funnel, opens it and waits until it is empty. Returns when it was opened [s].
+  template <class Watch>
+  double fill_funnel(Random& random, Watch& watch) {
+    const Funnel& f = setup_.funnel;
+    const double outlet = f.clearance, rim = f.clearance + f.height();
+    const Begin begin = never();
+    // Falls twice as fast as the grains that lie on it, to below the plate.
+    const double fall = 2.0 * simulation_.setup().gravity.norm(), depth = outlet + 1.0;
+    const auto sinks = [begin, outlet, fall, depth](double time) {
+      const double after = std::max(0.0, time - *begin);
+      return Pose{{0.0, 0.0, outlet - std::min(depth, 0.5 * fall * after * after)}};
+    };
+    simulation_.add_wall({.name = "funnel",
+                          .surfaces = {{cone(), rig_}},
+                          .dynamics = Fixed{},
+                          .motion = {.position = {0.0, 0.0, outlet}}});
+    simulation_.add_wall(
+        {.name = "collar",
+         .surfaces = {{Cylinder{.base = {0.0, 0.0, rim}, .radius = f.rim, .length = 1e3}, rig_}},
+         .dynamics = Fixed{}});
+    simulation_.add_wall({.name = "shutter",
+                          .surfaces = {{disc(), rig_}},
+                          .dynamics = Prescribed{sinks},
+                          .motion = {.position = {0.0, 0.0, outlet}}});
+
+    const Assembly& assembly = setup_.sample.assembly;
+    const auto drawn = assembly.draw_volume(f.solid, random);
+    Packing pile = loose_pile(assembly.clumps(), drawn, RoundFootprint{0.99 * f.rim, rim}, random);
+    for (PackedBody& body : pile.bodies) {
+      body.material = rock_;
+    }
+    simulation_.add(pile);
+    require_wide_outlet();
+    settle(std::sqrt(2.0 * (rim - outlet) / simulation_.setup().gravity.norm()), watch);
+    *begin = simulation_.time();
+    wait_until_below(outlet, 0.2, "the funnel", watch);
+    return *begin;
+  }
+
+  /// Rock arches over openings of a few grains (five times the largest is the usual rule).
+  void require_wide_outlet() const {
+    double largest = 0.0;
+    for (std::size_t b = 0; b < simulation_.bodies().size(); ++b) {
+      largest = std::max(largest, 2.0 * simulation_.bodies().bounding_radius(b));
+    }
+    if (2.0 * setup_.funnel.outlet < 3.0 * largest) {
+      throw Error(message("funnel outlet = ", setup_.funnel.outlet,
+                          " m: an opening of less than three of the largest grains, ", largest,
+                          " m across, is sure to be arched over"));
+    }
+  }
+
+  template <class Watch>
+  void settle(double least, Watch& watch) {
+    const Stage stage{"filling", 0.1};
+    const auto observe = [&](const auto& s) { watch(s, stage); };
+    const double damping = simulation_.setup().local_damping;
+    simulation_.set_local_damping(setup_.fill.settling_damping);
+    come_to_rest(simulation_, setup_.fill.rest, least, observe);
+    simulation_.set_local_damping(damping);
+  }
+
+  /// Fills the tube on the plate and draws it up. Returns when it began to move [s].
+  template <class Watch>
+  double fill_tube(Random& random, Watch& watch) {
+    const Begin begin = never();
+    const double height = setup_.tube.height, speed = setup_.lift_speed;
+    const auto rises = [begin, height, speed](double time) {
+      return Pose{{0.0, 0.0, std::min(1.5 * height, speed * std::max(0.0, time - *begin))}};
+    };
+    simulation_.add_wall(
+        {.name = "tube",
+         .surfaces = {{Cylinder{.radius = setup_.tube.radius, .length = 10.0 * height}, rig_}},
+         .dynamics = Prescribed{rises}});
+    fill_container(simulation_, setup_.tube, setup_.sample.assembly, rock_, setup_.fill, random,
+                   [&](const auto& s, Stage stage) {
+                     stage.share *= 0.2;
+                     watch(s, stage);
+                   });
+    *begin = simulation_.time();
+    const Stage stage{"lifting the tube", 0.5};
+    run_for(simulation_, 1.2 * height / speed, [&](const auto& s) { watch(s, stage); });
+    return *begin;
+  }
+
+  /// Steps until no grain is above `level` [m].
+  template <class Watch>
+  void wait_until_below(double level, double share, const char* what, Watch& watch) {
+    const double begin = simulation_.time();
+    std::size_t above = simulation_.bodies().size(), all = above;
+    double next = begin;
+    Stage stage{"flowing", share};
+    run_while(
+        simulation_,
+        [&](const auto& s) {
+          if (s.time() < next) {
+            return true;
+          }
+          next = s.time() + 0.02;
+          above = 0;
+          for (std::size_t b = 0; b < s.bodies().size(); ++b) {
+            above += s.bodies().position(b).z() > level ? 1 : 0;
+          }
+          if (above > 0 && s.time() - begin > setup_.patience) {
+            throw Error(message("heap: ", above, " of ", all, " grains are still in ", what,
+                                " after patience = ", setup_.patience,
+                                " s: they arch, or the heap has grown up to it"));
+          }
+          return above > 0;
+        },
+        [&](const auto& s) {
+          stage.share = share + 0.7 * (1.0 - static_cast<double>(above) / static_cast<double>(all));
+          watch(s, std::as_const(stage));
+        });
+  }
+
+  HeapSetup setup_;
+  Sim simulation_;
+  MaterialId rock_ = 0, rig_ = 0;
+  HeapResult result_;
+};
+
+} // namespace scree

@@ -1,0 +1,85 @@
+#pragma once
+/// \file
+/// What the angle of repose is measured with, and what comes of it.
+
+#include "scree/laboratory/round_container.hpp"
+#include "scree/measure/heap_angle.hpp"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace scree {
+
+/// A conical funnel above the plate.
+struct Funnel {
+  double outlet = 0.1;     ///< m, radius of its lower end
+  double rim = 0.25;       ///< m, radius of its upper end, above that of the outlet
+  double steepness = 1.05; ///< rad, of the cone over the horizontal, in (0, pi/2)
+  double clearance =
+      0.25; ///< m, from the plate up to the outlet: just above the heap, as grains that fall far spread
+  double solid = 0.012; ///< m3, of rock without its pores, that is poured in
+
+  /// m, of the cone.
+  [[nodiscard]] double height() const { return (rim - outlet) * std::tan(steepness); }
+};
+
+/// Angle of repose (Coetzee et al. 2010, section 4.5, which pours through a funnel). All numbers are ours.
+struct HeapSetup {
+  enum class Method {
+    funnel,         ///< grains run out of a funnel onto the plate
+    lifted_cylinder ///< a tube filled on the plate is drawn up
+  };
+
+  RockSample sample = paper_rock();
+  Material plate = paper_material(); ///< as rough as rock: a layer of rock glued to it
+  Method method = Method::funnel;
+  Funnel funnel{};
+  RoundContainer tube{.radius = 0.12, .height = 0.3}; ///< of the lifted cylinder
+  double lift_speed = 0.05;                           ///< m/s, of the tube, above 0
+  FillRecipe fill{};                  ///< of the tube, and how grains come to rest in the funnel
+  RestCriterion rest{.moving = 0.01}; ///< of the heap
+  double patience = 30.0; ///< s of simulated time, until the last grain has left funnel or tube, above 0
+  FlankSetup flank{};
+  std::uint64_t seed = 1;
+  unsigned threads = 0; ///< 0: one for each processor
+
+  /// \throws Error for a value out of its range.
+  void check() const {
+    fill.check();
+    rest.check();
+    flank.check();
+    tube.check();
+    require_positive("funnel outlet", funnel.outlet, "m");
+    if (!(funnel.rim > funnel.outlet)) {
+      throw Error(
+          message("funnel rim = ", funnel.rim, " m must be above funnel outlet = ", funnel.outlet, " m"));
+    }
+    require("funnel steepness", funnel.steepness, {0.1, 1.5, "rad"});
+    require_positive("funnel clearance", funnel.clearance, "m");
+    require_positive("funnel solid", funnel.solid, "m3");
+    require_positive("heap lift_speed", lift_speed, "m/s");
+    require_positive("heap patience", patience, "s");
+  }
+};
+
+/// The desk version: larger and softer grains, some hundreds of them. All ours.
+inline HeapSetup desk_heap() {
+  HeapSetup setup;
+  setup.sample = desk_rock();
+  setup.plate.normal_stiffness = setup.plate.shear_stiffness = setup.sample.rock.normal_stiffness;
+  setup.funnel = {.outlet = 0.12, .clearance = 0.13, .solid = 0.007};
+  setup.tube = {.radius = 0.12, .height = 0.28};
+  setup.lift_speed = 0.2;
+  setup.patience = 10.0;
+  return setup;
+}
+
+struct HeapResult {
+  HeapAngle flank{};
+  std::size_t grains = 0; ///< of the heap
+  double mass = 0.0;      ///< kg
+  double flow_time = 0.0; ///< s, until funnel or tube were empty
+  Unrest unrest{};        ///< of the heap
+};
+
+} // namespace scree

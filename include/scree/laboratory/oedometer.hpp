@@ -1,0 +1,252 @@
+#pragma once
+/// \file
+/// Confined compression in a cylinder (Coetzee et al. 2010, section 4.4).
+
+#include "scree/core/random.hpp"
+#include "scree/laboratory/oedometer_setup.hpp"
+#include "scree/simulation/simulation.hpp"
+
+#include <boost/math/statistics/linear_regression.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace scree {
+
+/// Fills the container, brings a lid down on the grains at a constant speed until it carries the high load,
+/// up again until it carries the low one, and so on.
+///
+///     scree::Oedometer<> oedometer{scree::desk_oedometer()};
+///     const double modulus = oedometer.run().modulus; // Pa
+template <class Model = DefaultModel>
+class Oedometer {
+public:
+  using Sim = Simulation<Model>;
+  using Setting = OedometerSetup;
+  using Result = OedometerResult;
+
+  /// \throws Error for a parameter out of its range.
+  explicit Oedometer(OedometerSetup setup, Setup<Model> physics = {})
+      : setup_{std::move(setup)},
+        simulation_{with_sample(std::move(physics), setup_.sample, setup_.threads)} {
+    setup_.check();
+    rock_ = simulation_.add_material(setup_.sample.rock);
+    rig_ = simulation_.add_material(setup_.sample.rig);
+    mantle_ = simulation_.add_wall(
+        {.name = "mantle", .surfaces = setup_.container.mantle(rig_), .dynamics = Fixed{}});
+    base_ =
+        simulation_.add_wall({.name = "base", .surfaces = RoundContainer::floor(rig_), .dynamics = Fixed{}});
+  }
+
+  /// Once. `watch(simulation, Stage)` is called after every step.
+  /// \throws Error where the grains do not carry the load.
+  template <class Watch>
+  const OedometerResult& run(Watch watch) {
+    Random random{setup_.seed, "filling"};
+    result_.fill = fill_container(simulation_, setup_.container, setup_.sample.assembly, rock_, setup_.fill,
+                                  random, [&](const auto& s, Stage stage) {
+                                    stage.share *= fill_share;
+                                    watch(s, stage);
+                                  });
+    result_.inertial_number = inertial_number();
+    bring_down_lid(watch);
+    for (std::size_t cycle = 0; cycle < setup_.cycles; ++cycle) {
+      branch(cycle, true, watch);
+      if (cycle + 1 < setup_.cycles) {
+        branch(cycle, false, watch);
+      }
+      result_.cycles.push_back(measured(cycle));
+    }
+    result_.slope = result_.cycles.back().slope;
+    result_.modulus = result_.cycles.back().modulus;
+    return result_;
+  }
+  const OedometerResult& run() {
+    return run([](const auto&, const Stage&) {});
+  }
+
+  [[nodiscard]] const OedometerSetup& setup() const { return setup_; }
+  [[nodiscard]] const OedometerResult& result() const { return result_; }
+  [[nodiscard]] const Sim& simulation() const { return simulation_; }
+  /// m, of the lid above the floor.
+  [[nodiscard]] double lid_height() const { return simulation_.wall(lid_).motion.position.z(); }
+
+private:
+  static constexpr double fill_share = 0.4; // of the whole experiment's time; ours, as seen at desk fidelity
+
+  /// How the lid moves from now on.
+  struct Drive {
+    double since = 0.0, from = 0.0; ///< s, m
+    double speed = 0.0;             ///< m/s, up
+
+    [[nodiscard]] Pose at(double time) const { return {{0.0, 0.0, from + speed * (time - since)}}; }
+  };
+
+  void drive(double speed) {
+    drive_->from = lid_height();
+    drive_->since = simulation_.time();
+    drive_->speed = speed;
+  }
+  [[nodiscard]] double speed() const { return setup_.strain_rate * setup_.container.height; }
+  [[nodiscard]] double load(double stress) const { return stress * setup_.container.area(); }
+  [[nodiscard]] double lid_force() const { return simulation_.wall(lid_).load.force.z(); }
+
+  [[nodiscard]] double inertial_number() const {
+    const auto& bodies = simulation_.bodies();
+    double diameter = 0.0;
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+      diameter += 2.0 * bodies.bounding_radius(b) / static_cast<double>(bodies.size());
+    }
+    return setup_.strain_rate * diameter * std::sqrt(setup_.sample.rock.density / setup_.low_stress);
+  }
+
+  /// Puts the lid on the highest grain and lowers it until it carries the low load.
+  template <class Watch>
+  void bring_down_lid(Watch& watch) {
+    double top = 0.0;
+    for (const auto& sphere : simulation_.bodies().spheres()) {
+      top = std::max(top, sphere.position.z + static_cast<double>(sphere.radius));
+    }
+    drive_->from = top;
+    drive_->since = simulation_.time();
+    lid_ = simulation_.add_wall({.name = "lid",
+                                 .surfaces = {{Plane{Vector::Zero(), -Vector::UnitZ()}, rig_}},
+                                 .dynamics = Prescribed{[drive = drive_](double t) { return drive->at(t); }},
+                                 .motion = {.position = {0.0, 0.0, top}}});
+    const Stage stage{"bringing down the lid", fill_share};
+    const auto lower = [&](double stress, double down) {
+      drive(-down);
+      run_while(
+          simulation_, [&](const auto&) { return lid_force() < load(stress) && in_container(); },
+          [&](const auto& s) { watch(s, stage); });
+    };
+    lower(0.1 * setup_.low_stress, setup_.approach * speed());
+    lower(setup_.low_stress, speed());
+    result_.height = lid_height();
+    start_ = simulation_.time();
+  }
+
+  [[nodiscard]] bool in_container() const {
+    if (lid_height() < 0.5 * setup_.container.height) {
+      throw Error(message("oedometer: the lid has sunk to ", lid_height(), " m of ", setup_.container.height,
+                          " m and the grains carry ", lid_force() / setup_.container.area(),
+                          " Pa: normal_stiffness is too low for high_stress = ", setup_.high_stress, " Pa"));
+    }
+    return true;
+  }
+
+  /// One loading or unloading, with its rows of the curve.
+  template <class Watch>
+  void branch(std::size_t cycle, bool loading, Watch& watch) {
+    drive(loading ? -speed() : speed());
+    const auto branches = static_cast<double>(2 * setup_.cycles - 1);
+    const double done = static_cast<double>(2 * cycle + (loading ? 0 : 1)) / branches;
+    const double wanted = load(loading ? setup_.high_stress : setup_.low_stress);
+    const double from = lid_force();
+    Reading last = read();
+    double last_force = from;
+    const double least = 20.0 * simulation_.time_step(), change = std::abs(wanted - from);
+    Stage stage{loading ? "loading" : "unloading", 0.0};
+    run_while(
+        simulation_,
+        [&](const auto&) {
+          return (loading ? lid_force() < wanted : lid_force() > wanted) && in_container();
+        },
+        [&](const auto& s) {
+          if (s.time() - last.time >= least &&
+              std::abs(lid_force() - last_force) * static_cast<double>(setup_.points) >= change) {
+            note(cycle, loading, last);
+            last_force = lid_force();
+          }
+          const double way = std::clamp((lid_force() - from) / (wanted - from), 0.0, 1.0);
+          stage.share = fill_share + (1.0 - fill_share) * (done + way / branches);
+          watch(s, std::as_const(stage));
+        });
+    note(cycle, loading, last);
+  }
+
+  /// What adds up over time.
+  struct Reading {
+    double time, displacement, lid, base, mantle; // s, m, N s
+  };
+  [[nodiscard]] Reading read() const {
+    const auto impulse = [this](std::size_t wall) { return simulation_.wall(wall).load.impulse.z(); };
+    return {simulation_.time(), result_.height - lid_height(), impulse(lid_), -impulse(base_),
+            -impulse(mantle_)};
+  }
+
+  void note(std::size_t cycle, bool loading, Reading& last) {
+    const Reading now = read();
+    const double span = now.time - last.time;
+    if (span > 0.0) {
+      result_.curve.push_back({0.5 * (last.time + now.time) - start_,
+                               0.5 * (last.displacement + now.displacement), (now.lid - last.lid) / span,
+                               (now.base - last.base) / span, (now.mantle - last.mantle) / span, cycle,
+                               loading});
+    }
+    last = now;
+  }
+
+  [[nodiscard]] OedometerCycle measured(std::size_t cycle) const {
+    OedometerCycle out;
+    const double low = load(setup_.low_stress), range = load(setup_.high_stress) - low;
+    const double from = low + setup_.slope_from * range, to = low + setup_.slope_to * range;
+    std::vector<double> x, y;
+    double work = 0.0;
+    bool unloaded = false;
+    const OedometerPoint* before = nullptr;
+    for (const OedometerPoint& p : result_.curve) {
+      if (p.cycle != cycle) {
+        continue;
+      }
+      if (p.loading && p.lid_force >= from && p.lid_force <= to) {
+        x.push_back(p.displacement);
+        y.push_back(p.lid_force);
+      }
+      if (before != nullptr) {
+        work += 0.5 * (p.lid_force + before->lid_force) * (p.displacement - before->displacement);
+      }
+      unloaded = unloaded || !p.loading;
+      out.permanent = p.displacement;
+      before = &p;
+    }
+    if (x.size() < 3) {
+      throw Error(message("oedometer: the slope of loading ", cycle + 1, " has ", x.size(),
+                          " points between its two loads; points = ", setup_.points, " is too few"));
+    }
+    const auto [offset, slope] = boost::math::statistics::simple_ordinary_least_squares(x, y);
+    out.slope = slope;
+    out.slope_error = error_of_slope(x, y, offset, slope);
+    out.modulus = slope * result_.height / setup_.container.area();
+    out.hysteresis = unloaded ? work : 0.0;
+    return out;
+  }
+
+  static double error_of_slope(const std::vector<double>& x, const std::vector<double>& y, double offset,
+                               double slope) {
+    double mean = 0.0, spread = 0.0, misfit = 0.0;
+    for (const double value : x) {
+      mean += value / static_cast<double>(x.size());
+    }
+    for (std::size_t k = 0; k < x.size(); ++k) {
+      spread += (x[k] - mean) * (x[k] - mean);
+      misfit += std::pow(y[k] - offset - slope * x[k], 2);
+    }
+    return std::sqrt(misfit / (static_cast<double>(x.size() - 2) * spread));
+  }
+
+  OedometerSetup setup_;
+  Sim simulation_;
+  MaterialId rock_ = 0, rig_ = 0;
+  std::size_t mantle_ = 0, base_ = 0, lid_ = 0;
+  std::shared_ptr<Drive> drive_ = std::make_shared<Drive>();
+  double start_ = 0.0; // s
+  OedometerResult result_;
+};
+
+} // namespace scree

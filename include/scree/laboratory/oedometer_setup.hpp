@@ -1,0 +1,91 @@
+#pragma once
+/// \file
+/// What confined compression is given, and what it measures.
+
+#include "scree/laboratory/round_container.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace scree {
+
+/// Confined compression (Coetzee et al. 2010, section 4.4): the container is the paper's, all else is ours.
+struct OedometerSetup {
+  RockSample sample = paper_rock();
+  RoundContainer container{}; ///< 400 mm across, 250 mm high [paper]
+  FillRecipe fill{};
+  double low_stress = 1e4;    ///< Pa, on the lid where a branch of unloading ends, above 0
+  double high_stress = 1e5;   ///< Pa, where one of loading ends, above low_stress
+  std::uint64_t cycles = 4;   ///< loadings, each but the last followed by an unloading too, 1 or more
+  double strain_rate = 0.01;  ///< 1/s, of the lid's speed over the container's height, above 0
+  double approach = 5.0;      ///< times as fast does the lid come down to the grains, 1 or above
+  double slope_from = 0.3;    ///< share of the way from low to high load at which the slope begins
+  double slope_to = 0.9;      ///< and at which it ends
+  std::uint64_t points = 200; ///< of the curve, about, in each branch, 10 or more
+  std::uint64_t seed = 1;
+  unsigned threads = 0; ///< 0: one for each processor
+
+  /// \throws Error for a value out of its range.
+  void check() const {
+    container.check();
+    fill.check();
+    require_positive("oedometer low_stress", low_stress, "Pa");
+    if (!(high_stress > low_stress)) {
+      throw Error(message("oedometer high_stress = ", high_stress,
+                          " Pa must be above low_stress = ", low_stress, " Pa"));
+    }
+    require("oedometer cycles", static_cast<double>(cycles), {1.0, 1000.0});
+    require_positive("oedometer strain_rate", strain_rate, "1/s");
+    require("oedometer approach", approach, {1.0, 1000.0});
+    require("oedometer slope_from", slope_from, {0.0, 1.0});
+    require("oedometer slope_to", slope_to, {0.0, 1.0});
+    if (!(slope_to > slope_from)) {
+      throw Error(message("oedometer slope_to = ", slope_to, " must be above slope_from = ", slope_from));
+    }
+    require("oedometer points", static_cast<double>(points), {10.0, 1e6});
+  }
+};
+
+/// The desk version: fewer, larger and softer grains under less load. All ours.
+inline OedometerSetup desk_oedometer() {
+  return {.sample = desk_rock(),
+          .container = {.radius = 0.15, .height = 0.15},
+          .low_stress = 1e3,
+          .high_stress = 5e3,
+          .cycles = 3,
+          .strain_rate = 0.05};
+}
+
+/// A row of the curve. Forces are means over the time since the row before, positive in compression.
+struct OedometerPoint {
+  double time = 0.0;         ///< s, since the lid carried the low load for the first time
+  double displacement = 0.0; ///< m, of the lid since then, down is positive
+  double lid_force = 0.0;    ///< N
+  double base_force = 0.0;   ///< N, on the floor
+  double mantle_force = 0.0; ///< N, by which the mantle is drawn down
+  std::size_t cycle = 0;     ///< from 0
+  bool loading = true;
+};
+
+/// One loading and the unloading after it.
+struct OedometerCycle {
+  double slope = 0.0;       ///< N/m, of the loading between the two points
+  double slope_error = 0.0; ///< N/m, standard error of the straight line's slope
+  double modulus = 0.0;     ///< Pa, that slope as one of stress against strain
+  double permanent = 0.0;   ///< m, displacement at the end of the unloading
+  double hysteresis = 0.0;  ///< J, area between loading and unloading; 0 for the last, which has none
+};
+
+struct OedometerResult {
+  double slope = 0.0;   ///< N/m, of the last loading
+  double modulus = 0.0; ///< Pa, of the last loading
+  double height = 0.0;  ///< m, of the lid above the floor when it carried the low load first
+  double inertial_number =
+      0.0; ///< strain rate times d sqrt(rho / p) with the low stress; below 1e-3 is quasi-static
+  std::vector<OedometerCycle> cycles{};
+  std::vector<OedometerPoint> curve{};
+  FillReport fill{};
+};
+
+} // namespace scree

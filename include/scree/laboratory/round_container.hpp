@@ -1,0 +1,120 @@
+#pragma once
+/// \file
+/// A round container, filled by pouring and struck off level.
+
+#include "scree/laboratory/come_to_rest.hpp"
+#include "scree/laboratory/rock_sample.hpp"
+#include "scree/laboratory/stage.hpp"
+#include "scree/packing/loose_pile.hpp"
+#include "scree/walls/wall.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+namespace scree {
+
+/// An upright tube around the z axis on a floor at z = 0. Its mantle reaches beyond its height, as a collar
+/// that keeps what is poured above the brim together.
+struct RoundContainer {
+  double radius = 0.2;  ///< m, above 0; the paper's oedometer
+  double height = 0.25; ///< m, above 0
+
+  /// m3, up to the brim.
+  [[nodiscard]] double volume() const { return area() * height; }
+  /// m2.
+  [[nodiscard]] double area() const { return std::numbers::pi * radius * radius; }
+
+  [[nodiscard]] std::vector<WallSurface> mantle(MaterialId material) const {
+    return {{Cylinder{.radius = radius}, material}};
+  }
+  [[nodiscard]] static std::vector<WallSurface> floor(MaterialId material) { return {{Plane{}, material}}; }
+
+  /// \throws Error for a dimension that is not above 0.
+  void check() const {
+    require_positive("container radius", radius, "m");
+    require_positive("container height", height, "m");
+  }
+};
+
+/// How a container is filled. All numbers are ours.
+struct FillRecipe {
+  double surplus = 0.25;              ///< of the volume, poured above the brim and struck off, above 0
+  double expected_porosity = 0.45;    ///< for how much to pour, in (0, 1)
+  double settling_damping = 0.3;      ///< local, while the grains come to rest, in [0, 1)
+  RestCriterion rest{.moving = 0.01}; ///< of the grains when the container is full
+
+  /// \throws Error for a value out of its range.
+  void check() const {
+    require_positive("fill surplus", surplus);
+    require("fill expected porosity", expected_porosity, {0.05, 0.95});
+    require("fill settling damping", settling_damping, {0.0, 0.99});
+    rest.check();
+  }
+};
+
+/// What came of it.
+struct FillReport {
+  std::size_t poured = 0, kept = 0;
+  double mass = 0.0;               ///< kg, of the grains kept
+  double bulk_density = 0.0;       ///< kg/m3, of these over the volume
+  Unrest unrest{};                 ///< at the end
+  std::vector<DrawnClump> drawn{}; ///< what was poured
+};
+
+/// Pours grains into the container, whose walls are in the simulation, lets them come to rest, takes away
+/// those whose centres are above the brim and lets the others rest again. `watch(simulation, Stage)` is
+/// called after every step; its share runs from 0 to 1.
+/// \throws Error for a parameter out of its range, or where less was poured than the container holds.
+template <class Simulation, class Watch>
+FillReport fill_container(Simulation& simulation, const RoundContainer& container, const Assembly& assembly,
+                          MaterialId rock, const FillRecipe& recipe, Random& random, Watch watch) {
+  container.check();
+  recipe.check();
+  FillReport report;
+  const double solid = container.volume() * (1.0 - recipe.expected_porosity) * (1.0 + recipe.surplus);
+  report.drawn = assembly.draw_volume(solid, random);
+  Packing pile = loose_pile(assembly.clumps(), report.drawn, RoundFootprint{container.radius, 0.0}, random);
+  double top = 0.0;
+  for (PackedBody& body : pile.bodies) {
+    body.material = rock;
+    top = std::max(top, body.position.z());
+  }
+  simulation.add(pile);
+  report.poured = pile.bodies.size();
+
+  const double damping = simulation.setup().local_damping;
+  simulation.set_local_damping(recipe.settling_damping);
+  const double gravity = std::max(1e-9, simulation.setup().gravity.norm());
+  const double fall = std::sqrt(2.0 * top / gravity), start = simulation.time();
+  Stage stage{"filling", 0.0};
+  auto observe = [&](auto& s) {
+    stage.share = std::min(0.9, 0.3 * (s.time() - start) / fall);
+    watch(s, std::as_const(stage));
+  };
+  RestCriterion poured = recipe.rest;
+  poured.moving = 1.0; // what still rolls over the surface is struck off
+  come_to_rest(simulation, poured, fall, observe);
+
+  const double brim = container.height;
+  const std::size_t above = simulation.remove_bodies(
+      [brim](const auto& bodies, std::size_t b) { return bodies.position(b).z() > brim; });
+  if (above == 0) {
+    throw Error(message("fill: what was poured does not reach the brim at ", brim,
+                        " m; surplus = ", recipe.surplus, " over an expected porosity of ",
+                        recipe.expected_porosity, " is too little for this material"));
+  }
+  report.unrest = come_to_rest(simulation, recipe.rest, 0.02, observe);
+  simulation.set_local_damping(damping);
+  report.kept = simulation.bodies().size();
+  for (std::size_t b = 0; b < report.kept; ++b) {
+    report.mass += simulation.bodies().mass(b);
+  }
+  report.bulk_density = report.mass / container.volume();
+  return report;
+}
+
+} // namespace scree

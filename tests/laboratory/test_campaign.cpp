@@ -1,0 +1,102 @@
+#include "scree/laboratory/campaign.hpp"
+#include "support/scratch_folder.hpp"
+
+#include <doctest/doctest.h>
+
+#include <atomic>
+#include <cmath>
+#include <cstddef>
+#include <fstream>
+#include <new>
+#include <string>
+#include <vector>
+
+using namespace scree;
+
+namespace {
+
+std::vector<Job> roots(std::size_t count, std::atomic<int>& done) {
+  std::vector<Job> jobs;
+  for (std::size_t k = 0; k < count; ++k) {
+    jobs.push_back({message("root of ", k), [k, &done]() -> std::vector<double> {
+                      ++done;
+                      if (k % 5 == 4) {
+                        throw Error(message(k, " is\nleft out"));
+                      }
+                      return {static_cast<double>(k), std::sqrt(static_cast<double>(k))};
+                    }});
+  }
+  return jobs;
+}
+
+} // namespace
+
+TEST_CASE("a campaign does each run once, whatever the number of workers, and keeps what failed too") {
+  const test::ScratchFolder folder;
+  std::atomic<int> done{0};
+  const auto jobs = roots(23, done);
+  const auto alone = Campaign{{}, 1}.run(jobs);
+  CHECK(done == 23);
+  std::size_t told = 0;
+  const auto outcomes =
+      Campaign{folder / "runs", 4}.run(jobs, [&](std::size_t now, std::size_t all, const JobOutcome& last) {
+        CHECK(now == ++told);
+        CHECK(all == 23);
+        CHECK_FALSE(last.kept);
+      });
+  CHECK(told == 23);
+  CHECK(done == 46);
+  const auto again = Campaign{folder / "runs", 2}.run(jobs);
+  CHECK(done == 46);
+  for (std::size_t k = 0; k < jobs.size(); ++k) {
+    CHECK(outcomes[k].values == alone[k].values);
+    CHECK(again[k].values == alone[k].values); // to the bit
+    CHECK(again[k].kept);
+    CHECK(again[k].failure == alone[k].failure);
+    CHECK(again[k].failure == (k % 5 == 4 ? message(k, " is left out") : ""));
+  }
+}
+
+TEST_CASE("a campaign that was ended goes on where it was") {
+  const test::ScratchFolder folder;
+  std::atomic<int> done{0};
+  auto jobs = roots(10, done);
+  jobs[6].work = []() -> std::vector<double> { throw std::bad_alloc{}; };
+  CHECK_THROWS_AS(Campaign(folder / "runs", 1).run(jobs), std::bad_alloc);
+  CHECK(done == 6);
+  jobs[6] = roots(10, done)[6];
+  const auto outcomes = Campaign{folder / "runs", 1}.run(jobs);
+  CHECK(done == 10);
+  CHECK(outcomes[6].values[1] == std::sqrt(6.0));
+  CHECK(outcomes[5].kept);
+  CHECK_FALSE(outcomes[7].kept);
+}
+
+TEST_CASE("jobs of one key are one run") {
+  std::atomic<int> done{0};
+  auto jobs = roots(3, done);
+  jobs.push_back(jobs[2]);
+  const auto outcomes = Campaign{{}, 2}.run(jobs);
+  CHECK(done == 3);
+  CHECK(outcomes[3].values == outcomes[2].values);
+}
+
+TEST_CASE("a campaign refuses files and keys that are not its own") {
+  const test::ScratchFolder folder;
+  std::atomic<int> done{0};
+  const auto jobs = roots(1, done);
+  const Campaign campaign{folder / "runs", 1};
+  campaign.run(jobs);
+  const auto file = campaign.file_of(jobs[0].key);
+  const auto spoil = [&](const std::string& text) { std::ofstream{file} << text; };
+  spoil("scree run, format 1\nkey root of 0\nvalue 0\n");
+  CHECK_THROWS_WITH_AS(campaign.run(jobs), doctest::Contains("the file ends early"), Error);
+  spoil("scree run, format 1\nkey root of 1\nend\n");
+  CHECK_THROWS_WITH_AS(campaign.run(jobs), doctest::Contains(":2: this is kept of another run"), Error);
+  spoil("scree run, format 1\nkey root of 0\nvalue x\nend\n");
+  CHECK_THROWS_WITH_AS(campaign.run(jobs), doctest::Contains(":3: this is neither"), Error);
+  spoil("");
+  CHECK_THROWS_WITH_AS(campaign.run(jobs), doctest::Contains("no kept run"), Error);
+  CHECK_THROWS_WITH_AS(campaign.run({{"two\nlines", {}}}), doctest::Contains("one line"), Error);
+  CHECK_THROWS_WITH_AS(Campaign{file}, doctest::Contains("cannot be made"), Error);
+}

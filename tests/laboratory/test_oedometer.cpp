@@ -1,0 +1,98 @@
+#include "scree/laboratory/oedometer.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstddef>
+
+using namespace scree;
+
+namespace {
+
+/// Few grains, pressed fast: what is checked here holds at any speed.
+OedometerSetup quick() {
+  OedometerSetup setup = desk_oedometer();
+  setup.container = {.radius = 0.1, .height = 0.08};
+  setup.cycles = 2;
+  setup.strain_rate = 0.5;
+  setup.points = 60;
+  setup.threads = 1;
+  return setup;
+}
+
+} // namespace
+
+TEST_CASE("physics: an oedometer loads, unloads and loads again between its two stresses") {
+  Oedometer<> oedometer{quick()};
+  const OedometerResult& r = oedometer.run();
+  const double area = oedometer.setup().container.area();
+  REQUIRE(r.cycles.size() == 2);
+  REQUIRE(r.curve.size() > 100);
+  CHECK(r.cycles[0].hysteresis > 0.0);
+  CHECK(r.cycles[1].hysteresis == 0.0);
+  CHECK(r.cycles[0].permanent > 0.0);
+  CHECK(r.slope == r.cycles[1].slope);
+  CHECK(r.modulus == doctest::Approx(r.slope * r.height / area));
+  CHECK(r.height < oedometer.setup().container.height * 1.5);
+
+  // Lid, weight and mantle are what the base carries, but for the grains' inertia.
+  double weight = 0.0;
+  for (std::size_t b = 0; b < oedometer.simulation().bodies().size(); ++b) {
+    weight += 9.81 * oedometer.simulation().bodies().mass(b);
+  }
+  double misfit = 0.0, most = 0.0;
+  for (const OedometerPoint& p : r.curve) {
+    misfit += std::pow(p.lid_force + weight - p.mantle_force - p.base_force, 2);
+    most = std::max(most, p.lid_force);
+    CHECK(p.displacement > -1e-6);
+  }
+  CHECK(most < 1.1 * oedometer.setup().high_stress * area);
+  CHECK(most > 0.9 * oedometer.setup().high_stress * area);
+  CHECK(std::sqrt(misfit / static_cast<double>(r.curve.size())) < 0.05 * most);
+}
+
+TEST_CASE("physics: four times the stiffness, density and load make four times the slope") {
+  OedometerSetup setup = quick();
+  const double once = Oedometer<>{setup}.run().slope;
+  // A power of 4, of which the root is a power of 2 too: the motion is then the same to the bit.
+  for (Material* m : {&setup.sample.rock, &setup.sample.rig}) {
+    m->density *= 4.0;
+    m->normal_stiffness *= 4.0;
+    m->shear_stiffness *= 4.0;
+  }
+  setup.low_stress *= 4.0;
+  setup.high_stress *= 4.0;
+  CHECK(Oedometer<>{setup}.run().slope == doctest::Approx(4.0 * once).epsilon(1e-9));
+}
+
+TEST_CASE("physics: stiffer grains make a stiffer bed") {
+  OedometerSetup setup = quick();
+  const double soft = Oedometer<>{setup}.run().modulus;
+  setup.sample.rock.normal_stiffness *= 4.0;
+  setup.sample.rock.shear_stiffness *= 4.0;
+  setup.sample.rig.normal_stiffness *= 4.0;
+  setup.sample.rig.shear_stiffness *= 4.0;
+  CHECK(Oedometer<>{setup}.run().modulus > 1.5 * soft);
+}
+
+TEST_CASE("Oedometer refuses what cannot be done") {
+  OedometerSetup setup = quick();
+  setup.high_stress = setup.low_stress;
+  CHECK_THROWS_WITH_AS(Oedometer<>{setup}, doctest::Contains("high_stress = 1000"), Error);
+  setup = quick();
+  setup.strain_rate = 0.0;
+  CHECK_THROWS_WITH_AS(Oedometer<>{setup}, doctest::Contains("strain_rate = 0"), Error);
+  setup = quick();
+  setup.slope_to = 0.2;
+  CHECK_THROWS_WITH_AS(Oedometer<>{setup}, doctest::Contains("slope_to = 0.2"), Error);
+  setup = quick();
+  setup.cycles = 0;
+  CHECK_THROWS_WITH_AS(Oedometer<>{setup}, doctest::Contains("cycles"), Error);
+}
+
+TEST_CASE("physics: a lid that finds no resistance says so") {
+  OedometerSetup setup = quick();
+  setup.high_stress = 1e7;
+  setup.strain_rate = 2.0;
+  CHECK_THROWS_WITH_AS(Oedometer<>{setup}.run(), doctest::Contains("the lid has sunk"), Error);
+}
