@@ -1,7 +1,7 @@
 /// \file
 /// What nearly every test includes, read by the compiler once.
 
-#include "scree/simulation/simulation.hpp"
+#include "support/models.hpp"
 
 #include <Eigen/Dense>
 #include <doctest/doctest.h>
@@ -22,6 +22,3 @@
 #include <string>
 #include <string_view>
 #include <vector>
-
-// Compiled once, in support/default_simulation.cpp.
-extern template class scree::Simulation<>;

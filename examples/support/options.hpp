@@ -3,26 +3,15 @@
 /// One table of every parameter of a program: it drives the command line, the TOML file, the range checks,
 /// the help and the record of what was used.
 
-#include "scree/core/error.hpp"
-#include "scree/io/atomic_file.hpp"
 #include "support/options_entry.hpp"
-#include "support/options_hint.hpp"
-#include "support/options_toml.hpp"
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
-#include <toml++/toml.h>
 
-#include <algorithm>
-#include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace scree::examples {
@@ -65,91 +54,24 @@ public:
 
   /// The value that command line or TOML file give to a text parameter that decides on the defaults of
   /// others, or none. \throws Error as `parse` does for a file that cannot be read.
-  static std::optional<std::string> peek(int argc, const char* const* argv, const std::string& name) {
-    std::optional<std::string> found, file;
-    for (int k = 1; k < argc; ++k) {
-      const std::string_view word = argv[k];
-      for (auto [key, target] : {std::pair{"--" + name, &found}, std::pair{std::string{"--config"}, &file}}) {
-        if (word == key && k + 1 < argc) {
-          *target = argv[k + 1];
-        } else if (word.substr(0, key.size() + 1) == key + "=") {
-          *target = std::string{word.substr(key.size() + 1)};
-        }
-      }
-    }
-    if (!found && file) {
-      const toml::table table = detail::parsed_toml(*file);
-      found = table.at_path(name).value<std::string>();
-    }
-    return found;
-  }
+  static std::optional<std::string> peek(int argc, const char* const* argv, const std::string& name);
 
   /// Reads the TOML file named by `--config` and the command line.
   /// \throws Error that names the parameter, its value and range, and for a file its line; HelpWanted for
   /// `--help`.
-  void parse(int argc, const char* const* argv) {
-    CLI::App app{brief_, program_};
-    app.set_help_flag("-h,--help", "print this help and exit");
-    std::string file;
-    app.add_option("--config", file, "TOML file with any of the parameters below")->type_name("FILE.toml");
-    app.allow_extras(); // refused below, in our words
-    std::deque<std::string> given(entries_.size());
-    for (std::size_t k = 0; k < entries_.size(); ++k) {
-      const detail::OptionsEntry& e = entries_[k];
-      app.add_option("--" + e.name, given[k], e.described())->group(e.group)->type_name(e.kind());
-    }
-    try {
-      app.parse(argc, argv);
-    } catch (const CLI::CallForHelp&) {
-      throw HelpWanted{app.help()};
-    } catch (const CLI::ParseError& error) {
-      throw Error(message("command line: ", error.what()));
-    }
-    if (const auto extra = app.remaining(); !extra.empty()) {
-      const auto dashed = std::find_if(extra.begin(), extra.end(), [](const std::string& word) {
-        return word.size() > 2 && word.substr(0, 2) == "--";
-      });
-      if (dashed == extra.end()) {
-        throw Error(message("command line: '", extra.front(), "' belongs to no parameter"));
-      }
-      const std::string name = dashed->substr(2, dashed->find('=') - 2);
-      throw Error(
-          message("command line: there is no parameter '", name, "'", detail::spelling_hint(name, entries_)));
-    }
-    if (!file.empty()) {
-      detail::read_toml(entries_, detail::parsed_toml(file), "", file);
-    }
-    for (std::size_t k = 0; k < entries_.size(); ++k) {
-      if (app.count("--" + entries_[k].name) > 0) {
-        entries_[k].set_text(given[k], "command line: --");
-      }
-    }
-  }
+  void parse(int argc, const char* const* argv);
 
   /// Writes all values as a TOML file that `--config` reads back.
-  void write_toml(const std::filesystem::path& file) const {
-    write_atomically(file, detail::toml_text(entries_, program_));
-  }
+  void write_toml(const std::filesystem::path& file) const;
 
   /// All values by name.
-  [[nodiscard]] nlohmann::ordered_json json() const {
-    nlohmann::ordered_json out;
-    for (const detail::OptionsEntry& e : entries_) {
-      std::visit([&](const auto* value) { out[e.name] = *value; }, e.value);
-    }
-    return out;
-  }
+  [[nodiscard]] nlohmann::ordered_json json() const;
 
   /// Names of the parameters whose defaults the paper does not give.
-  [[nodiscard]] std::vector<std::string> not_in_the_paper() const {
-    std::vector<std::string> names;
-    for (const detail::OptionsEntry& e : entries_) {
-      if (e.from == Provenance::ours) {
-        names.push_back(e.name);
-      }
-    }
-    return names;
-  }
+  [[nodiscard]] std::vector<std::string> not_in_the_paper() const;
+
+  /// The parameters themselves, for those who read them from elsewhere.
+  [[nodiscard]] std::vector<detail::OptionsEntry>& entries() { return entries_; }
 
 private:
   std::string program_, brief_;

@@ -43,7 +43,8 @@ public:
           scree::number_text(f.error()), std::string{f.tolerance.relative ? "relative" : "absolute"},
           scree::number_text(f.tolerance.size), f.tolerance.grounds, std::string{f.pass() ? "yes" : "no"},
           f.reason}) {
-      line += (line.empty() ? "" : ",") + csv_field(field);
+      line += line.empty() ? "" : ",";
+      line += csv_field(field);
     }
     put(line);
   }

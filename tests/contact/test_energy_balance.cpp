@@ -1,6 +1,8 @@
 /// \file
 /// What a collision loses is what friction and the dashpots say they took.
 
+#include "support/models.hpp"
+
 #include "scree/contact/hertz_mindlin.hpp"
 #include "scree/simulation/simulation.hpp"
 
@@ -14,11 +16,6 @@
 using namespace scree;
 
 namespace {
-
-template <class Law>
-struct With : DefaultModel {
-  using Contact = Law;
-};
 
 Material material(double friction, double restitution) {
   return {.normal_stiffness = 2e5,
@@ -39,7 +36,7 @@ template <class Law>
 Balance oblique(double friction, double restitution, double slip) {
   const Clump a = make_clump("a", std::vector<Sphere>{{Vector::Zero(), 0.01}});
   const Clump b = make_clump("b", std::vector<Sphere>{{Vector::Zero(), 0.013}});
-  Simulation<With<Law>> sim{{.gravity = Vector::Zero(), .time_step = 2e-7, .sort_interval = 0}};
+  Simulation<test::ModelOf<Law>> sim{{.gravity = Vector::Zero(), .time_step = 2e-7, .sort_interval = 0}};
   const auto rock = sim.add_material(material(friction, restitution));
   sim.add({.clump = &a,
            .material = rock,

@@ -1,6 +1,7 @@
 /// \file
 /// A model in float follows one in double to what float resolves.
 
+#include "support/models.hpp"
 #include "support/relative_error.hpp"
 
 #include "scree/contact/hertz_mindlin.hpp"
@@ -13,15 +14,11 @@
 #include <vector>
 
 using namespace scree;
+using test::LinearInFloat;
+using test::ModelOf;
 using test::relative_error;
 
 namespace {
-
-template <class Number, class Law>
-struct Of : DefaultModel {
-  using Real = Number;
-  using Contact = Law;
-};
 
 Material material(double restitution) {
   return {.normal_stiffness = 1e5,
@@ -90,7 +87,7 @@ Rest settled() {
 
 TEST_CASE_TEMPLATE("physics: an oblique impact in float differs from that in double by what float resolves",
                    Law, LinearSpring<>, HertzMindlin<>) {
-  const Impact exact = oblique_impact<Of<double, Law>>(), coarse = oblique_impact<Of<float, Law>>();
+  const Impact exact = oblique_impact<ModelOf<Law>>(), coarse = oblique_impact<ModelOf<Law, float>>();
   const double velocity_off = (coarse.velocity - exact.velocity).norm() / exact.velocity.norm();
   const double spin_off = (coarse.spin - exact.spin).norm() / exact.spin.norm();
   MESSAGE("relative difference of velocity " << velocity_off << ", of spin " << spin_off);
@@ -101,7 +98,7 @@ TEST_CASE_TEMPLATE("physics: an oblique impact in float differs from that in dou
 }
 
 TEST_CASE("physics: a stack settles in float to the place and weight that it has in double") {
-  const Rest exact = settled<Of<double, LinearSpring<>>>(), coarse = settled<Of<float, LinearSpring<>>>();
+  const Rest exact = settled<DefaultModel>(), coarse = settled<LinearInFloat>();
   const double weight = 12 * 2650.0 * 4.0 / 3.0 * std::acos(-1.0) * 1e-6 * 9.81;
   MESSAGE("support " << exact.support << " and " << coarse.support << " N of " << weight << " N; mean height "
                      << exact.centre_height << " and " << coarse.centre_height << " m; largest overlap "

@@ -1,6 +1,7 @@
 /// \file
 /// Free impacts under Hertz's law against the closed form.
 
+#include "support/models.hpp"
 #include "support/relative_error.hpp"
 
 #include "scree/contact/hertz_mindlin.hpp"
@@ -18,10 +19,6 @@ using namespace scree;
 using test::relative_error;
 
 namespace {
-
-struct Elastic : DefaultModel {
-  using Contact = HertzMindlin<>;
-};
 
 constexpr double radius_a = 0.01, radius_b = 0.025;
 constexpr double reduced_radius = radius_a * radius_b / (radius_a + radius_b);
@@ -63,7 +60,7 @@ Impact impact(double restitution, double speed, int steps) {
   const Clump a = make_clump("a", std::vector<Sphere>{{Vector::Zero(), radius_a}});
   const Clump b = make_clump("b", std::vector<Sphere>{{Vector::Zero(), radius_b}});
   const double dt = contact_time(speed) / steps;
-  Simulation<Elastic> sim{
+  Simulation<test::Hertzian> sim{
       {.gravity = Vector::Zero(), .time_step = dt, .top_speed = speed, .sort_interval = 0}};
   const auto of_a = sim.add_material(glass(restitution)), of_b = sim.add_material(rubber(1.0));
   sim.add({.clump = &a, .material = of_a, .velocity = speed * direction});

@@ -1,6 +1,8 @@
 /// \file
 /// An extension whose parameter is null gives the base law to the bit.
 
+#include "support/models.hpp"
+
 #include "scree/contact/hertz_mindlin.hpp"
 #include "scree/contact/rolling_resistance.hpp"
 #include "scree/core/random.hpp"
@@ -16,15 +18,10 @@ using namespace scree;
 
 namespace {
 
-template <class Law>
-struct With : DefaultModel {
-  using Contact = Law;
-};
-
 /// Bits of the motion of 54 spheres and rods that fall into a box and collide, at several times.
 template <class Law>
 std::vector<std::uint64_t> bits(double rolling_friction) {
-  Simulation<With<Law>> sim{{.time_step = 2e-5}};
+  Simulation<test::ModelOf<Law>> sim{{.time_step = 2e-5}};
   const auto rock = sim.add_material({.normal_stiffness = 2e4,
                                       .shear_stiffness = 2e4,
                                       .youngs_modulus = 2e7,

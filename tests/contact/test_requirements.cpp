@@ -1,6 +1,7 @@
 /// \file
 /// What a law refuses, and how the message says so.
 
+#include "support/models.hpp"
 #include "support/relative_error.hpp"
 
 #include "scree/contact/hertz_mindlin.hpp"
@@ -18,10 +19,6 @@ using namespace scree;
 using test::relative_error;
 
 namespace {
-
-struct Hertzian : DefaultModel {
-  using Contact = HertzMindlin<>;
-};
 
 template <class Action>
 std::string complaint(Action action) {
@@ -59,7 +56,7 @@ TEST_CASE("a linear law without stiffness names the pair and the parameter") {
 }
 
 TEST_CASE("Hertz's law without Young's modulus names the pair and the parameter") {
-  Simulation<Hertzian> sim{{.time_step = 1e-6}};
+  Simulation<test::Hertzian> sim{{.time_step = 1e-6}};
   const auto rock = sim.add_material({.name = "rock", .youngs_modulus = 1e9});
   const auto plate = sim.add_material({.name = "plate", .normal_stiffness = 1e6});
   sim.add({.clump = &ball, .material = rock});
@@ -71,9 +68,7 @@ TEST_CASE("Hertz's law without Young's modulus names the pair and the parameter"
 }
 
 TEST_CASE("an extension's parameter out of range is refused by its name") {
-  struct Rolling : DefaultModel {
-    using Contact = LinearSpring<RollingResistance>;
-  };
+  using Rolling = test::RollingLinear;
   for (const double damping : {-0.1, std::nan("")}) {
     Simulation<Rolling> sim{{.contact = Rolling::Contact{RollingResistance{damping}}, .time_step = 1e-6}};
     const auto rock = sim.add_material({.name = "rock", .normal_stiffness = 1e6});

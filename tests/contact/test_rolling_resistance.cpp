@@ -2,6 +2,7 @@
 /// Rolling resistance: its threshold, its work, and that its null value is the base law.
 
 #include "support/driven_contact.hpp"
+#include "support/models.hpp"
 #include "support/relative_error.hpp"
 
 #include "scree/contact/linear_spring.hpp"
@@ -21,10 +22,6 @@ using test::relative_error;
 namespace {
 
 using Rolling = LinearSpring<RollingResistance>;
-
-struct WithRolling : DefaultModel {
-  using Contact = Rolling;
-};
 
 constexpr double radius_i = 0.01, radius_j = 0.015, overlap = 2e-5;
 constexpr double reduced_radius = radius_i * radius_j / (radius_i + radius_j);
@@ -126,7 +123,7 @@ TEST_CASE("physics: a sphere on an incline rolls off only where its slope is abo
   // m, travelled within half a second after the slope has been raised slowly to `slope`.
   const auto travel = [&](double mu_r, double slope) {
     const double dt = 2e-5, ramp = 0.3;
-    Simulation<WithRolling> sim{{.gravity = {0, 0, -gravity}, .time_step = dt}};
+    Simulation<test::RollingLinear> sim{{.gravity = {0, 0, -gravity}, .time_step = dt}};
     Material m = material(mu_r);
     m.normal_stiffness = m.shear_stiffness = 1e5;
     const auto rock = sim.add_material(m);
@@ -157,7 +154,7 @@ TEST_CASE(
     "physics: a rolling sphere is slowed by mu_r g / (1 + 2/5) and what it loses is the couple's work") {
   const double radius = 0.01, gravity = 9.81, mu_r = 0.02, speed = 0.3, dt = 5e-6;
   const Clump ball = make_clump("ball", std::vector<Sphere>{{Vector::Zero(), radius}});
-  Simulation<WithRolling> sim{{.gravity = {0, 0, -gravity}, .time_step = dt}};
+  Simulation<test::RollingLinear> sim{{.gravity = {0, 0, -gravity}, .time_step = dt}};
   const auto rock = sim.add_material(material(mu_r));
   sim.add_wall({.name = "floor", .surfaces = {{Plane{}, rock}}, .dynamics = Fixed{}});
   const double weight = material(mu_r).density * ball.volume * gravity;

@@ -2,6 +2,7 @@
 /// A sphere set down sliding comes to roll: on a plane as theory has it, on a tessellated plane as on the
 /// plane.
 
+#include "support/models.hpp"
 #include "support/relative_error.hpp"
 
 #include "scree/contact/hertz_mindlin.hpp"
@@ -16,14 +17,10 @@
 #include <vector>
 
 using namespace scree;
+using test::ModelOf;
 using test::relative_error;
 
 namespace {
-
-template <class Law>
-struct With : DefaultModel {
-  using Contact = Law;
-};
 
 constexpr double radius = 0.01, friction = 0.3, speed = 0.5, gravity = 9.81, dt = 2e-6;
 
@@ -92,7 +89,7 @@ struct Run {
 
 template <class Law>
 Run run(double restitution, const Path& path, const WallSurface& surface, std::size_t steps) {
-  Simulation<With<Law>> sim{{.gravity = {0, 0, -gravity}, .time_step = dt}};
+  Simulation<ModelOf<Law>> sim{{.gravity = {0, 0, -gravity}, .time_step = dt}};
   const auto rock = sim.add_material(material(restitution));
   const Clump clump = ball();
   sim.add_wall({.name = "floor", .surfaces = {surface}, .dynamics = Fixed{}});

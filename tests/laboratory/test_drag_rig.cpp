@@ -1,6 +1,7 @@
 #include "scree/geometry/dragline_bucket.hpp"
 #include "scree/laboratory/drag_rig.hpp"
 #include "scree/measure/state_hash.hpp"
+#include "support/models.hpp"
 #include "support/relative_error.hpp"
 #include "validation/scatter.hpp"
 
@@ -36,10 +37,6 @@ DragSetup small_drag() {
   return s;
 }
 
-struct DragModelInFloat : DefaultModel {
-  using Real = float;
-};
-
 /// What a drag comes to: mean force [N], pitch at the end [degrees], mass in the bucket [kg].
 template <class Model>
 std::array<double, 3> dragged(std::uint64_t seed) {
@@ -68,7 +65,7 @@ TEST_CASE("physics: a drag in float gives the force, pitch and mass that it give
   // another seed, and only means can be compared.
   std::array<std::vector<double>, 3> exact, coarse;
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
-    const auto a = dragged<DefaultModel>(seed), b = dragged<DragModelInFloat>(seed);
+    const auto a = dragged<DefaultModel>(seed), b = dragged<test::LinearInFloat>(seed);
     for (std::size_t k = 0; k < 3; ++k) {
       exact[k].push_back(a[k]);
       coarse[k].push_back(b[k]);

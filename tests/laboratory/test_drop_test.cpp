@@ -90,5 +90,5 @@ TEST_CASE("a drop test with a wrong parameter says which, what it is and what it
   refused({.speeds = {1.0, -2.0}}, "drop test speeds = -2 m/s must be a finite number above 0");
   refused({.drops = 1}, "drop test drops = 1 is outside [2, 1000000]");
   refused({.patience = 0.0}, "drop test patience = 0 s must be a finite number above 0");
-  refused({}, "drop test gravity = (0, 0, 0) m/s2 must be straight down", {.gravity = Vector::Zero()});
+  refused({}, "experiment: gravity = (0, 0, 0) m/s2 must be straight down", {.gravity = Vector::Zero()});
 }

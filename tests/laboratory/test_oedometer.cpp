@@ -13,6 +13,8 @@ namespace {
 OedometerSetup quick() {
   OedometerSetup setup = desk_oedometer();
   setup.container = {.radius = 0.1, .height = 0.08};
+  setup.low_stress = 1e3;
+  setup.high_stress = 5e3;
   setup.cycles = 2;
   setup.strain_rate = 0.5;
   setup.points = 60;
@@ -31,6 +33,7 @@ TEST_CASE("physics: an oedometer loads, unloads and loads again between its two 
   CHECK(r.cycles[0].hysteresis > 0.0);
   CHECK(r.cycles[1].hysteresis == 0.0);
   CHECK(r.cycles[0].permanent > 0.0);
+  CHECK(r.cycles[0].unloading_modulus > r.cycles[0].modulus);
   CHECK(r.slope == r.cycles[1].slope);
   CHECK(r.modulus == doctest::Approx(r.slope * r.height / area));
   CHECK(r.height < oedometer.setup().container.height * 1.5);

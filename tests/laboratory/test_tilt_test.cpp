@@ -129,6 +129,6 @@ TEST_CASE("a tilt test with a wrong parameter says which, what it is and what it
   refused({.onset_speed = 0.0}, "tilt test onset_speed = 0 m/s must be a finite number above 0");
   refused({.rolled = 200.0}, "tilt test rolled = 200 degrees is outside [0, 180] degrees");
   refused({.points = 1}, "tilt test points = 1 is outside [10, 1000000]");
-  refused({}, "tilt test gravity = (1, 0, -9.81) m/s2 must be straight down",
+  refused({}, "experiment: gravity = (1, 0, -9.81) m/s2 must be straight down",
           {.gravity = Vector{1.0, 0.0, -9.81}});
 }

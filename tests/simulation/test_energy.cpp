@@ -6,6 +6,7 @@
 #include "scree/core/random.hpp"
 #include "scree/simulation/run.hpp"
 #include "scree/simulation/simulation.hpp"
+#include "support/models.hpp"
 #include "support/relative_error.hpp"
 #include "support/scenes.hpp"
 
@@ -19,19 +20,6 @@
 using namespace scree;
 
 namespace {
-
-struct Linear : DefaultModel {};
-struct Hertzian : DefaultModel {
-  using Contact = HertzMindlin<>;
-};
-
-// A lone sphere on the floor would roll on for ever.
-struct RollingLinear : DefaultModel {
-  using Contact = LinearSpring<RollingResistance>;
-};
-struct RollingHertzian : DefaultModel {
-  using Contact = HertzMindlin<RollingResistance>;
-};
 
 struct Case {
   bool stones = false;
@@ -150,6 +138,7 @@ double unbalanced(const Sim& sim) {
   return contacts > 0 ? most / (sum / static_cast<double>(contacts)) : 1e9;
 }
 
+// With rolling resistance, as a lone sphere on the floor would roll on for ever.
 template <class Model>
 void check_rest(bool stones) {
   CAPTURE(stones);
@@ -180,8 +169,8 @@ void check_rest(bool stones) {
 TEST_CASE("physics: energy lost is energy dissipated, linear law") {
   for (const bool stones : {false, true}) {
     for (const bool moving : {false, true}) {
-      check_balance<Linear>({.stones = stones, .restitution = 0.5, .moving_floor = moving});
-      check_balance<Linear>({.stones = stones, .local_damping = 0.2, .moving_floor = moving});
+      check_balance<DefaultModel>({.stones = stones, .restitution = 0.5, .moving_floor = moving});
+      check_balance<DefaultModel>({.stones = stones, .local_damping = 0.2, .moving_floor = moving});
     }
   }
 }
@@ -189,18 +178,18 @@ TEST_CASE("physics: energy lost is energy dissipated, linear law") {
 TEST_CASE("physics: energy lost is energy dissipated, Hertz-Mindlin law") {
   for (const bool stones : {false, true}) {
     for (const bool moving : {false, true}) {
-      check_balance<Hertzian>({.stones = stones, .restitution = 0.5, .moving_floor = moving});
-      check_balance<Hertzian>({.stones = stones, .local_damping = 0.2, .moving_floor = moving});
+      check_balance<test::Hertzian>({.stones = stones, .restitution = 0.5, .moving_floor = moving});
+      check_balance<test::Hertzian>({.stones = stones, .local_damping = 0.2, .moving_floor = moving});
     }
   }
 }
 
 TEST_CASE("physics: a loose stack comes to rest and stays there, linear law") {
-  check_rest<RollingLinear>(false);
-  check_rest<RollingLinear>(true);
+  check_rest<test::RollingLinear>(false);
+  check_rest<test::RollingLinear>(true);
 }
 
 TEST_CASE("physics: a loose stack comes to rest and stays there, Hertz-Mindlin law") {
-  check_rest<RollingHertzian>(false);
-  check_rest<RollingHertzian>(true);
+  check_rest<test::RollingHertzian>(false);
+  check_rest<test::RollingHertzian>(true);
 }

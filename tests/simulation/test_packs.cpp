@@ -4,6 +4,7 @@
 #include "scree/contact/rolling_resistance.hpp"
 #include "scree/core/random.hpp"
 #include "scree/simulation/simulation.hpp"
+#include "support/models.hpp"
 #include "support/relative_error.hpp"
 #include "support/scenes.hpp"
 
@@ -27,14 +28,6 @@ struct WithoutPacks : Law {
                            std::array<T, static_cast<std::size_t>(Law::history_size)>& history) const {
     return Law::evaluate(pair, k, history);
   }
-};
-
-template <class Law, class Number, bool packs>
-struct PackModel : DefaultModel {
-  using Real = Number;
-  using Contact = std::conditional_t<packs, Law, WithoutPacks<Law>>;
-  static_assert(EvaluatesForce<Contact, Pack<Number>> == packs);
-  static_assert(EvaluatesForce<Contact, Number>);
 };
 
 /// Some 1,000 spheres of two materials that are pressed into each other and fly about in a periodic space:
@@ -76,12 +69,16 @@ void compare(double tolerance) {
     s.time_step = 5e-6;
     s.top_speed = 2.0;
   };
-  Setup<PackModel<Law, Real, true>> with;
-  Setup<PackModel<Law, Real, false>> without;
+  static_assert(EvaluatesForce<Law, Pack<Real>> && EvaluatesForce<Law, Real>);
+  static_assert(!EvaluatesForce<WithoutPacks<Law>, Pack<Real>> && EvaluatesForce<WithoutPacks<Law>, Real>);
+  using Packed = test::ModelOf<Law, Real>;
+  using Plain = test::ModelOf<WithoutPacks<Law>, Real>;
+  Setup<Packed> with;
+  Setup<Plain> without;
   setup(with);
   setup(without);
-  Simulation<PackModel<Law, Real, true>> packed{with};
-  Simulation<PackModel<Law, Real, false>> plain{without};
+  Simulation<Packed> packed{with};
+  Simulation<Plain> plain{without};
   fill(packed);
   fill(plain);
   for (int k = 0; k < 40; ++k) {

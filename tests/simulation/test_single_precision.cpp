@@ -5,6 +5,7 @@
 #include "scree/measure/unbalanced_force.hpp"
 #include "scree/simulation/run.hpp"
 #include "scree/simulation/simulation.hpp"
+#include "support/models.hpp"
 #include "support/relative_error.hpp"
 #include "support/scenes.hpp"
 #include "validation/scatter.hpp"
@@ -23,12 +24,6 @@
 namespace {
 
 using namespace scree;
-
-template <class Number>
-struct In : DefaultModel {
-  using Real = Number;
-  using Walls = scree::Walls<Fixed, Prescribed>;
-};
 
 constexpr double tube_radius = 0.04; // m
 constexpr std::size_t stones = 160;
@@ -65,7 +60,7 @@ public:
     return most;
   }
 
-  Simulation<In<Number>> simulation;
+  Simulation<test::ModelOf<LinearSpring<>, Number>> simulation;
 };
 
 /// Stones that fell into the tube and lie at rest, in double.

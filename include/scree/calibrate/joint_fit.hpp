@@ -5,6 +5,7 @@
 #include "scree/calibrate/local_response.hpp"
 #include "scree/calibrate/measured.hpp"
 #include "scree/calibrate/parameter.hpp"
+#include "scree/calibrate/run_batch.hpp"
 #include "scree/core/random.hpp"
 
 #include <boost/math/distributions/students_t.hpp>
@@ -15,7 +16,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -23,21 +23,6 @@
 #include <vector>
 
 namespace scree {
-
-/// A run that is asked for.
-struct RunRequest {
-  std::vector<double> parameters; ///< in their units, in the order of the space
-  std::uint64_t seed = 0;
-};
-
-/// What came of it: the observables in their order, or the reason why there are none.
-struct RunOutcome {
-  std::vector<double> observed{};
-  std::string failure{};
-};
-
-/// Does all runs of a batch, in any order and on any number of workers, and answers in the order asked.
-using RunBatch = std::function<std::vector<RunOutcome>(const std::vector<RunRequest>&)>;
 
 /// How a joint fit goes about it. All numbers are ours.
 struct JointFitSetup {

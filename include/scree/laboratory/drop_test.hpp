@@ -104,11 +104,6 @@ public:
       : setup_{std::move(setup)},
         simulation_{with_sample(std::move(physics), setup_.sample, setup_.threads)} {
     setup_.check();
-    const Vector& pull = simulation_.setup().gravity;
-    if (pull.x() != 0.0 || pull.y() != 0.0 || !(pull.z() < 0.0)) {
-      throw Error(message("drop test gravity = (", pull.x(), ", ", pull.y(), ", ", pull.z(),
-                          ") m/s2 must be straight down, (0, 0, z) with z below 0"));
-    }
     rock_ = simulation_.add_material(setup_.sample.rock);
     const MaterialId rig = simulation_.add_material(setup_.sample.rig);
     simulation_.add_wall({.name = "plate", .surfaces = {{Plane{}, rig}}, .dynamics = Fixed{}});

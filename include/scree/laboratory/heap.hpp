@@ -34,8 +34,11 @@ public:
     setup_.check();
     rock_ = simulation_.add_material(setup_.sample.rock);
     rig_ = simulation_.add_material(setup_.sample.rig);
-    const MaterialId plate = simulation_.add_material(setup_.plate);
-    simulation_.add_wall({.name = "plate", .surfaces = {{Plane{}, plate}}, .dynamics = Fixed{}});
+    Material plate = setup_.sample.rock;
+    plate.name = "plate";
+    plate.friction = setup_.plate_friction;
+    simulation_.add_wall(
+        {.name = "plate", .surfaces = {{Plane{}, simulation_.add_material(plate)}}, .dynamics = Fixed{}});
   }
 
   /// Once. `watch(simulation, Stage)` is called after every step.
@@ -185,11 +188,12 @@ private:
   }
 
   /// Steps until no grain is above `level` [m].
+  /// \throws Error where none passes it for as long as the setup's patience.
   template <class Watch>
   void wait_until_below(double level, double share, const char* what, Watch& watch) {
-    const double begin = simulation_.time();
-    std::size_t above = simulation_.bodies().size(), all = above;
-    double next = begin;
+    const std::size_t all = simulation_.bodies().size();
+    std::size_t above = all;
+    double next = simulation_.time(), last_passed = next;
     Stage stage{"flowing", share};
     run_while(
         simulation_,
@@ -198,13 +202,15 @@ private:
             return true;
           }
           next = s.time() + 0.02;
-          above = 0;
+          std::size_t left = 0;
           for (std::size_t b = 0; b < s.bodies().size(); ++b) {
-            above += s.bodies().position(b).z() > level ? 1 : 0;
+            left += s.bodies().position(b).z() > level ? 1 : 0;
           }
-          if (above > 0 && s.time() - begin > setup_.patience) {
-            throw Error(message("heap: ", above, " of ", all, " grains are still in ", what,
-                                " after patience = ", setup_.patience,
+          last_passed = left < above ? s.time() : last_passed;
+          above = std::min(above, left);
+          if (above > 0 && s.time() - last_passed > setup_.patience) {
+            throw Error(message("heap: ", above, " of ", all, " grains are in ", what,
+                                ", and none has left it for patience = ", setup_.patience,
                                 " s: they arch, or the heap has grown up to it"));
           }
           return above > 0;

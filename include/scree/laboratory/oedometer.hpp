@@ -6,8 +6,6 @@
 #include "scree/laboratory/oedometer_setup.hpp"
 #include "scree/simulation/simulation.hpp"
 
-#include <boost/math/statistics/linear_regression.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -60,7 +58,7 @@ public:
       if (cycle + 1 < setup_.cycles) {
         branch(cycle, false, watch);
       }
-      result_.cycles.push_back(measured(cycle));
+      result_.cycles.push_back(oedometer_cycle(result_.curve, cycle, window()));
     }
     result_.slope = result_.cycles.back().slope;
     result_.modulus = result_.cycles.back().modulus;
@@ -192,52 +190,12 @@ private:
     last = now;
   }
 
-  [[nodiscard]] OedometerCycle measured(std::size_t cycle) const {
-    OedometerCycle out;
+  [[nodiscard]] SlopeWindow window() const {
     const double low = load(setup_.low_stress), range = load(setup_.high_stress) - low;
-    const double from = low + setup_.slope_from * range, to = low + setup_.slope_to * range;
-    std::vector<double> x, y;
-    double work = 0.0;
-    bool unloaded = false;
-    const OedometerPoint* before = nullptr;
-    for (const OedometerPoint& p : result_.curve) {
-      if (p.cycle != cycle) {
-        continue;
-      }
-      if (p.loading && p.lid_force >= from && p.lid_force <= to) {
-        x.push_back(p.displacement);
-        y.push_back(p.lid_force);
-      }
-      if (before != nullptr) {
-        work += 0.5 * (p.lid_force + before->lid_force) * (p.displacement - before->displacement);
-      }
-      unloaded = unloaded || !p.loading;
-      out.permanent = p.displacement;
-      before = &p;
-    }
-    if (x.size() < 3) {
-      throw Error(message("oedometer: the slope of loading ", cycle + 1, " has ", x.size(),
-                          " points between its two loads; points = ", setup_.points, " is too few"));
-    }
-    const auto [offset, slope] = boost::math::statistics::simple_ordinary_least_squares(x, y);
-    out.slope = slope;
-    out.slope_error = error_of_slope(x, y, offset, slope);
-    out.modulus = slope * result_.height / setup_.container.area();
-    out.hysteresis = unloaded ? work : 0.0;
-    return out;
-  }
-
-  static double error_of_slope(const std::vector<double>& x, const std::vector<double>& y, double offset,
-                               double slope) {
-    double mean = 0.0, spread = 0.0, misfit = 0.0;
-    for (const double value : x) {
-      mean += value / static_cast<double>(x.size());
-    }
-    for (std::size_t k = 0; k < x.size(); ++k) {
-      spread += (x[k] - mean) * (x[k] - mean);
-      misfit += std::pow(y[k] - offset - slope * x[k], 2);
-    }
-    return std::sqrt(misfit / (static_cast<double>(x.size() - 2) * spread));
+    return {.low_force = low + setup_.slope_from * range,
+            .high_force = low + setup_.slope_to * range,
+            .height = result_.height,
+            .area = setup_.container.area()};
   }
 
   OedometerSetup setup_;

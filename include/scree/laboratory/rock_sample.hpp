@@ -25,8 +25,14 @@ struct RockSample {
 
 /// `physics` for an experiment on `sample`.
 /// \param threads 0: one for each processor
+/// \throws Error for gravity that is not straight down, as experiments have it
 template <class Model>
 Setup<Model> with_sample(Setup<Model> physics, const RockSample& sample, unsigned threads) {
+  const Vector& pull = physics.gravity;
+  if (pull.x() != 0.0 || pull.y() != 0.0 || !(pull.z() < 0.0)) {
+    throw Error(message("experiment: gravity = (", pull.x(), ", ", pull.y(), ", ", pull.z(),
+                        ") m/s2 must be straight down, (0, 0, z) with z below 0"));
+  }
   physics.stiffness = sample.stiffness;
   physics.threads = threads;
   return physics;

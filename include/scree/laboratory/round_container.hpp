@@ -88,8 +88,8 @@ FillReport fill_container(Simulation& simulation, const RoundContainer& containe
 
   const double damping = simulation.setup().local_damping;
   simulation.set_local_damping(recipe.settling_damping);
-  const double gravity = std::max(1e-9, simulation.setup().gravity.norm());
-  const double fall = std::sqrt(2.0 * top / gravity), start = simulation.time();
+  require_positive("fill gravity", simulation.setup().gravity.norm(), "m/s2");
+  const double fall = std::sqrt(2.0 * top / simulation.setup().gravity.norm()), start = simulation.time();
   Stage stage{"filling", 0.0};
   auto observe = [&](auto& s) {
     stage.share = std::min(0.9, 0.3 * (s.time() - start) / fall);

@@ -1,0 +1,116 @@
+#include "calibrate/closed_loop.hpp"
+
+#include "calibrate/measured_folder.hpp"
+#include "laboratory/trials.hpp"
+
+#include "scree/core/random.hpp"
+#include "scree/io/atomic_file.hpp"
+#include "scree/io/csv.hpp"
+
+#include <cmath>
+#include <system_error>
+
+namespace calibrate {
+
+namespace {
+
+using namespace scree;
+using examples::Plan;
+using examples::Trials;
+
+/// How often an experiment is done, and how well it is read off. All numbers are ours.
+struct Laboratory {
+  const char* experiment;
+  std::size_t replicates;
+  double relative; ///< standard deviation of a reading over its value
+  double absolute; ///< and in its unit
+};
+constexpr Laboratory laboratory[] = {{"immersion", 10, 5e-4, 0.0},
+                                     {"bulk_density", 12, 1e-3, 0.0},
+                                     {"oedometer", 10, 1e-2, 0.0},
+                                     {"angle_of_repose", 12, 0.0, 0.5}};
+
+/// The bounds are wider than what is drawn, so that the truth is not at the edge of the space.
+constexpr const char* calibration_toml =
+    R"(# Made by `calibrate --closed-loop`: simulations stand for a laboratory.
+fidelity = "desk"
+
+[parameters.particle_density] # kg/m3
+least = 1100.0
+most = 2300.0
+
+[parameters.normal_stiffness] # N/m
+least = 4e4
+most = 2.5e5
+
+[parameters.friction]
+least = 0.15
+most = 0.9
+
+[experiments.immersion]
+batch.grains = 4000
+data = "immersion.csv"
+
+[experiments.bulk_density]
+data = "bulk_density.csv"
+
+[experiments.oedometer]
+data = "oedometer.csv"
+use = ["modulus_Pa", "unloading_modulus_Pa"]
+
+[experiments.angle_of_repose]
+data = "angle_of_repose.csv"
+)";
+
+} // namespace
+
+Truth make_measurements(const std::filesystem::path& folder, std::uint64_t seed, const Campaign& campaign,
+                        double limit) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) {
+    throw Error(message(folder.string(), ": cannot be made: ", error.message()));
+  }
+  Random draw{seed, "closed loop, truth"};
+  Truth truth{{"particle_density", draw.uniform(1300.0, 2000.0)},
+              {"normal_stiffness", 6e4 * std::pow(1.6e5 / 6e4, draw.uniform())},
+              {"friction", draw.uniform(0.25, 0.7)}};
+
+  write_atomically(folder / "calibration.toml", calibration_toml);
+  const Plan plan = read_plan(folder, Data::none);
+  std::vector<double> parameters = plan.start;
+  for (std::size_t k = 0; k < plan.space.size(); ++k) {
+    for (const auto& [name, value] : truth) {
+      parameters[k] = name == plan.space[k].name ? value : parameters[k];
+    }
+  }
+  Trials trials{plan, campaign, limit, 0};
+  Random noise{seed, "closed loop, noise"}, seeds{seed, "closed loop, seeds"};
+  for (const Laboratory& l : laboratory) {
+    const std::size_t e = plan.index_of(l.experiment);
+    std::vector<std::uint64_t> own;
+    for (std::size_t k = 0; k < l.replicates; ++k) {
+      own.push_back(seeds.index(std::size_t{1} << 53U));
+    }
+    const auto runs = trials.replicates(e, parameters, own);
+    if (runs.size() < l.replicates) {
+      throw Error(message("closed loop: ", l.replicates - runs.size(), " of ", l.replicates, " runs of ",
+                          l.experiment, " failed"));
+    }
+    std::vector<std::string> columns;
+    for (const auto& observable : plan.experiments[e].experiment->observables()) {
+      columns.push_back(observable.name);
+    }
+    CsvWriter table{folder / message(l.experiment, ".csv"), columns, "One replicate a row."};
+    for (std::vector<double> row : runs) {
+      for (double& value : row) {
+        value += (l.relative * value + l.absolute) * noise.normal();
+      }
+      table.row(row);
+    }
+  }
+  trials.close();
+  return truth;
+}
+
+} // namespace calibrate

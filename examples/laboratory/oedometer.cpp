@@ -1,0 +1,127 @@
+#include "laboratory/experiment.hpp"
+
+#include "scree/io/csv.hpp"
+#include "scree/laboratory/oedometer.hpp"
+
+#include <fmt/format.h>
+
+namespace scree::examples {
+
+namespace {
+
+void write_curve(const std::filesystem::path& folder, const OedometerResult& r, double area) {
+  CsvWriter curve{folder / "oedometer.csv",
+                  {"time_s", "displacement_m", "strain", "lid_force_N", "lid_stress_Pa", "base_force_N",
+                   "mantle_force_N", "cycle", "loading"},
+                  "Zero where the lid carried the low load first; forces are means between two rows."};
+  for (const OedometerPoint& p : r.curve) {
+    curve.row({p.time, p.displacement, p.displacement / r.height, p.lid_force, p.lid_force / area,
+               p.base_force, p.mantle_force, static_cast<double>(p.cycle + 1), p.loading ? 1.0 : 0.0});
+  }
+}
+
+/// The last cycle with an unloading.
+OedometerCycle last_unloaded(const OedometerResult& r) {
+  return r.cycles.size() > 1 ? r.cycles[r.cycles.size() - 2] : OedometerCycle{};
+}
+double unloading_modulus(const OedometerResult& r) {
+  return last_unloaded(r).unloading_modulus;
+}
+
+class OedometerExperiment final : public Experiment {
+public:
+  explicit OedometerExperiment(bool desk) {
+    if (desk) {
+      setup_ = desk_oedometer();
+    }
+  }
+
+  void bind(Options& options) override {
+    options.group("Container and lid");
+    options.add("container.radius", setup_.container.radius, {0.001, 100.0, "m"}, "of the tube",
+                Provenance::paper);
+    options.add("container.height", setup_.container.height, {0.001, 100.0, "m"}, "to which it is filled",
+                Provenance::paper);
+    options.add("load.low_stress", setup_.low_stress, {1e-3, 1e12, "Pa"},
+                "on the lid, at the end of unloading");
+    options.add("load.high_stress", setup_.high_stress, {1e-3, 1e12, "Pa"}, "at the end of loading");
+    options.add("load.cycles", setup_.cycles, {1.0, 1000.0}, "loadings");
+    options.add("load.strain_rate", setup_.strain_rate, {1e-9, 1e3, "1/s"}, "of the lid");
+    options.add("load.slope_from", setup_.slope_from, {0.0, 1.0},
+                "share of the way to high load at which the slope begins");
+    options.add("load.slope_to", setup_.slope_to, {0.0, 1.0}, "and ends");
+    options.add("load.points", setup_.points, {10.0, 1e6}, "of the curve, in each branch");
+  }
+  std::vector<Observable> observables() const override {
+    return {{"modulus_Pa"}, {"unloading_modulus_Pa"}, {"hysteresis_J"}};
+  }
+  CurveFile curve() const override {
+    return {"oedometer.csv", "displacement_m", "lid_force_N", "Load on the lid", "displacement, m", "N"};
+  }
+  std::vector<double> observe(const Conditions& conditions,
+                              const std::filesystem::path& folder) const override {
+    Oedometer<> oedometer{detail::prepared(setup_, conditions), {.step_safety = conditions.step_safety}};
+    const OedometerResult& r = oedometer.run(detail::limited(conditions));
+    if (!folder.empty()) {
+      write_curve(folder, r, setup_.container.area());
+    }
+    return {r.modulus, unloading_modulus(r), last_unloaded(r).hysteresis};
+  }
+  void show(Workbench& bench) const override {
+    Oedometer<> oedometer{detail::prepared(setup_, detail::conditions_of(bench)),
+                          {.step_safety = bench.step_safety()}};
+    const OedometerResult& r =
+        oedometer.run([&](const auto& simulation, const Stage& stage) { bench.watch(simulation, stage); });
+    write_curve(bench.folder(), r, setup_.container.area());
+    auto& summary = bench.summary();
+    summary["slope_N_m"] = r.slope;
+    summary["modulus_Pa"] = r.modulus;
+    summary["unloading_modulus_Pa"] = unloading_modulus(r);
+    summary["inertial_number"] = r.inertial_number;
+    summary["height_m"] = r.height;
+    summary["grains"] = r.fill.kept;
+    summary["bulk_density_kg_m3"] = r.fill.bulk_density;
+    for (const OedometerCycle& c : r.cycles) {
+      summary["cycles"].push_back({{"slope_N_m", c.slope},
+                                   {"slope_standard_error_N_m", c.slope_error},
+                                   {"modulus_Pa", c.modulus},
+                                   {"unloading_modulus_Pa", c.unloading_modulus},
+                                   {"permanent_m", c.permanent},
+                                   {"hysteresis_J", c.hysteresis}});
+    }
+    bench.plot(
+        "oedometer", bench.title("Confined compression"),
+        {{"Load on the lid",
+          "displacement, m",
+          "N",
+          {{"oedometer.csv", "displacement_m", "lid_force_N", "lid"},
+           {"oedometer.csv", "displacement_m", "base_force_N", "base"}}},
+         {"Stress and strain", "strain", "Pa", {{"oedometer.csv", "strain", "lid_stress_Pa", "lid"}}}});
+    const double radius = setup_.container.radius, lid = oedometer.lid_height();
+    bench.view("oedometer_view", oedometer.simulation(),
+               {Vector{-radius, -radius, 0.0}, Vector{radius, radius, lid}}, true,
+               fmt::format("lid at {:.1f} mm, {:.0f} N", 1e3 * lid, r.curve.back().lid_force),
+               [&](auto& renderer) {
+                 for (const double x : {-radius, radius}) {
+                   renderer.line({x, 0.0, 0.0}, {x, 0.0, 1.1 * lid}, {90, 90, 90});
+                 }
+                 for (const double z : {0.0, lid}) {
+                   renderer.line({-radius, 0.0, z}, {radius, 0.0, z}, {90, 90, 90}, 3.0);
+                 }
+               });
+    bench.finish(oedometer.simulation());
+    fmt::print("slope {:.4g} N/m, modulus {:.4g} Pa, inertial number {:.2g}\n", r.slope, r.modulus,
+               r.inertial_number);
+  }
+
+private:
+  OedometerSetup setup_;
+};
+
+} // namespace
+
+std::unique_ptr<Experiment> detail::make_oedometer(bool desk) {
+  return std::make_unique<OedometerExperiment>(desk);
+}
+
+} // namespace scree::examples

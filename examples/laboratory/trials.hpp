@@ -1,0 +1,49 @@
+#pragma once
+/// \file
+/// Runs the experiments of a plan as a campaign.
+
+#include "laboratory/plan.hpp"
+
+#include "scree/calibrate/run_batch.hpp"
+#include "scree/laboratory/campaign.hpp"
+#include "support/progress.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace scree::examples {
+
+/// Answers the requests of a fit with simulations, each kept when it ends.
+class Trials {
+public:
+  /// \param limit s of simulated time, beyond which a run counts as failed
+  /// \param expected runs in all, for the estimate of the end
+  Trials(const Plan& plan, Campaign campaign, double limit, std::size_t expected);
+
+  [[nodiscard]] std::vector<RunOutcome> operator()(const std::vector<RunRequest>& requests);
+
+  /// All observables of one experiment of the plan, measured or not, for `seeds` runs at `parameters`; those
+  /// that failed are left out.
+  [[nodiscard]] std::vector<std::vector<double>> replicates(std::size_t experiment,
+                                                            const std::vector<double>& parameters,
+                                                            const std::vector<std::uint64_t>& seeds);
+
+  [[nodiscard]] std::size_t done() const { return done_; }
+  [[nodiscard]] std::size_t kept() const { return kept_; }
+  void close() { progress_.close(); }
+
+private:
+  [[nodiscard]] Job job(const PlannedExperiment& experiment, const std::vector<double>& parameters,
+                        std::uint64_t seed) const;
+  [[nodiscard]] std::vector<JobOutcome> run(const std::vector<Job>& jobs);
+
+  const Plan& plan_;
+  Campaign campaign_;
+  double limit_;
+  std::size_t expected_, done_ = 0, kept_ = 0, failed_ = 0;
+  Progress progress_;
+};
+
+} // namespace scree::examples

@@ -1,0 +1,49 @@
+#include "scree/laboratory/oedometer_cycle.hpp"
+
+#include <doctest/doctest.h>
+
+#include <vector>
+
+using namespace scree;
+
+namespace {
+
+/// Loading along a straight line from 10 N to 110 N, unloading along a steeper one.
+std::vector<OedometerPoint> triangle(double loading, double unloading) {
+  std::vector<OedometerPoint> curve;
+  for (int k = 0; k <= 100; ++k) {
+    curve.push_back({.displacement = k / loading, .lid_force = 10.0 + k, .cycle = 1, .loading = true});
+  }
+  for (int k = 1; k <= 100; ++k) {
+    curve.push_back({.displacement = 100.0 / loading - k / unloading,
+                     .lid_force = 110.0 - k,
+                     .cycle = 1,
+                     .loading = false});
+  }
+  return curve;
+}
+
+} // namespace
+
+TEST_CASE("a cycle of straight lines has their slopes, and the area between them as its hysteresis") {
+  const auto curve = triangle(2e4, 5e4);
+  const OedometerCycle c =
+      oedometer_cycle(curve, 1, {.low_force = 30.0, .high_force = 90.0, .height = 0.2, .area = 0.1});
+  CHECK(c.slope == doctest::Approx(2e4));
+  CHECK(c.slope_error < 1e-6);
+  CHECK(c.modulus == doctest::Approx(2e4 * 0.2 / 0.1));
+  CHECK(c.unloading_modulus == doctest::Approx(5e4 * 0.2 / 0.1));
+  CHECK(c.permanent == doctest::Approx(100.0 / 2e4 - 100.0 / 5e4));
+  // Means of 60 N over both ways.
+  CHECK(c.hysteresis == doctest::Approx(60.0 * c.permanent));
+}
+
+TEST_CASE("a cycle without an unloading has no hysteresis, and one without rows is refused") {
+  auto curve = triangle(2e4, 5e4);
+  curve.resize(101);
+  const SlopeWindow window{.low_force = 30.0, .high_force = 90.0, .height = 0.2, .area = 0.1};
+  const OedometerCycle c = oedometer_cycle(curve, 1, window);
+  CHECK(c.hysteresis == 0.0);
+  CHECK(c.unloading_modulus == 0.0);
+  CHECK_THROWS_WITH_AS(oedometer_cycle(curve, 0, window), doctest::Contains("loading 1 has 0 points"), Error);
+}

@@ -1,0 +1,3 @@
+#include "support/models.hpp"
+
+template class scree::Simulation<>;
