@@ -1,4 +1,5 @@
 /// \brief Finds the parameters of rock from measured bulk density, compression and angle of repose (Coetzee et al. 2010, section 4).
+/// \smoke --measured @PROJECT_SOURCE_DIR@/tests/examples/measured/immersion --runs 20
 
 #include "calibrate/closed_loop.hpp"
 #include "calibrate/measured_folder.hpp"

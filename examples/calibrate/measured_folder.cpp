@@ -74,15 +74,14 @@ toml::table without(const toml::table& table, const std::set<std::string>& keys)
 Plan read_rock(const Source& source, const std::filesystem::path& folder, const toml::table& top, bool desk) {
   ex::RockOptions rock{desk};
   ex::Options options{"calibrate", ""};
-  rock.bind(options);
   Material rig = rock.rig();
-  ex::add_contact_options(options, "rig", rig, ex::Provenance::ours, ex::Provenance::ours);
+  ex::bind(options, rock, rig);
   for (const char* name : {"rock", "rig"}) {
     if (const toml::node* node = top.get(name)) {
       ex::detail::read_toml(options.entries(), source.table(*node, name), message(name, "."), source.file);
     }
   }
-  return {.folder = folder, .sample = rock.sample(rig), .rock = options.json().dump()};
+  return {.folder = folder, .sample = rock.sample(rig), .rock = ex::text_of(rock, rig)};
 }
 
 void read_parameters(const Source& source, const toml::table& parameters, Plan& plan) {
@@ -298,14 +297,15 @@ ex::Plan read_plan(const std::filesystem::path& folder, Data data) {
     desk = fidelity == "desk";
   }
   Plan plan = read_rock(source, folder, top, desk);
-  for (const char* name : {"parameters", "experiments"}) {
+  const auto wanted = [&](const char* name) -> const toml::table& {
     const toml::node* node = top.get(name);
     if (node == nullptr || source.table(*node, name).empty()) {
       throw file_error(source.file, 1, message("the file has no [", name, ".NAME]"));
     }
-  }
-  read_parameters(source, *top["parameters"].as_table(), plan);
-  for (const auto& [key, node] : *top["experiments"].as_table()) {
+    return *node->as_table();
+  };
+  read_parameters(source, wanted("parameters"), plan);
+  for (const auto& [key, node] : wanted("experiments")) {
     const std::string name{key.str()};
     read_experiment(source, name, source.table(node, "experiments." + name), node, desk, data, plan);
   }

@@ -2,6 +2,7 @@
 
 #include "scree/io/csv.hpp"
 #include "scree/laboratory/oedometer.hpp"
+#include "scree/laboratory/oedometer_branches.hpp"
 
 #include <fmt/format.h>
 
@@ -20,12 +21,20 @@ void write_curve(const std::filesystem::path& folder, const OedometerResult& r, 
   }
 }
 
-/// The last cycle with an unloading.
-OedometerCycle last_unloaded(const OedometerResult& r) {
-  return r.cycles.size() > 1 ? r.cycles[r.cycles.size() - 2] : OedometerCycle{};
+/// The last cycle with an unloading; all zero where there is none.
+OedometerCycle last_unloaded(const std::vector<OedometerCycle>& cycles) {
+  for (auto c = cycles.rbegin(); c != cycles.rend(); ++c) {
+    if (c->unloading_modulus > 0.0) {
+      return *c;
+    }
+  }
+  return {};
 }
-double unloading_modulus(const OedometerResult& r) {
-  return last_unloaded(r).unloading_modulus;
+
+/// In the order of the observables.
+std::vector<double> observables_of(const std::vector<OedometerCycle>& cycles) {
+  const OedometerCycle full = last_unloaded(cycles);
+  return {cycles.back().modulus, full.unloading_modulus, full.hysteresis};
 }
 
 class OedometerExperiment final : public Experiment {
@@ -65,7 +74,22 @@ public:
     if (!folder.empty()) {
       write_curve(folder, r, setup_.container.area());
     }
-    return {r.modulus, unloading_modulus(r), last_unloaded(r).hysteresis};
+    return observables_of(r.cycles);
+  }
+  std::vector<double> reduce(const CsvTable& curve) const override {
+    const double area = setup_.container.area(), low = setup_.low_stress * area,
+                 range = setup_.high_stress * area - low;
+    const auto rows =
+        oedometer_branches(curve.column("displacement_m"), curve.column("lid_force_N"), 0.2 * range);
+    const SlopeWindow window{.low_force = low + setup_.slope_from * range,
+                             .high_force = low + setup_.slope_to * range,
+                             .height = setup_.container.height,
+                             .area = area};
+    std::vector<OedometerCycle> cycles;
+    for (std::size_t c = 0; c <= rows.back().cycle; ++c) {
+      cycles.push_back(oedometer_cycle(rows, c, window));
+    }
+    return observables_of(cycles);
   }
   void show(Workbench& bench) const override {
     Oedometer<> oedometer{detail::prepared(setup_, detail::conditions_of(bench)),
@@ -76,7 +100,7 @@ public:
     auto& summary = bench.summary();
     summary["slope_N_m"] = r.slope;
     summary["modulus_Pa"] = r.modulus;
-    summary["unloading_modulus_Pa"] = unloading_modulus(r);
+    summary["unloading_modulus_Pa"] = last_unloaded(r.cycles).unloading_modulus;
     summary["inertial_number"] = r.inertial_number;
     summary["height_m"] = r.height;
     summary["grains"] = r.fill.kept;

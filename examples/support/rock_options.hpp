@@ -70,6 +70,7 @@ public:
     return stiffness_ == "of_particle" ? Stiffness::of_particle : Stiffness::of_contact;
   }
   [[nodiscard]] MassConvention mass_convention() const { return parse_mass_convention(mass_convention_); }
+  void set_mass_convention(MassConvention convention) { mass_convention_ = to_string(convention); }
   [[nodiscard]] double size_factor() const { return size_factor_; }
   [[nodiscard]] const Material& material() const { return given_.rock; }
 
@@ -104,5 +105,19 @@ private:
   std::vector<double> openings_{0.0095, 0.0132, 0.019, 0.0265, 0.0375}; // m [paper, section 4.2]
   std::array<std::vector<double>, shapes> passing_;                     // cumulative share below each opening
 };
+
+/// Binds rock and rig to a program.
+inline void bind(Options& options, RockOptions& rock, Material& rig) {
+  rock.bind(options);
+  options.group("What the rock touches");
+  add_contact_options(options, "rig", rig, Provenance::ours, Provenance::ours);
+}
+
+/// All numbers of rock and rig as one line of JSON, under which runs with them are kept.
+inline std::string text_of(RockOptions rock, Material rig) {
+  Options options{"rock", ""};
+  bind(options, rock, rig);
+  return options.json().dump();
+}
 
 } // namespace scree::examples

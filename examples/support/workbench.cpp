@@ -29,10 +29,8 @@ Workbench::Workbench(std::string name, std::string brief, int argc, const char* 
   options_.add("threads", threads_, {0.0, 1024.0},
                "0: one for each processor; the results are the same for any");
   options_.add("step_safety", step_safety_, {0.01, 1.0}, "share of the critical time step");
-  rock_.bind(options_);
-  options_.group("What the rock touches");
   rig_ = rock_.rig();
-  add_contact_options(options_, "rig", rig_, Provenance::ours, Provenance::ours);
+  bind(options_, rock_, rig_);
 }
 
 void Workbench::begin() {

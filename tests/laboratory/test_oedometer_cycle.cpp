@@ -1,3 +1,4 @@
+#include "scree/laboratory/oedometer_branches.hpp"
 #include "scree/laboratory/oedometer_cycle.hpp"
 
 #include <doctest/doctest.h>
@@ -46,4 +47,30 @@ TEST_CASE("a cycle without an unloading has no hysteresis, and one without rows 
   CHECK(c.hysteresis == 0.0);
   CHECK(c.unloading_modulus == 0.0);
   CHECK_THROWS_WITH_AS(oedometer_cycle(curve, 0, window), doctest::Contains("loading 1 has 0 points"), Error);
+}
+
+TEST_CASE("branches of a measured curve are told apart through noise") {
+  std::vector<double> displacement, force;
+  double at = 0.0;
+  for (const double end : {100.0, 20.0, 120.0, 10.0}) {
+    const double from = force.empty() ? 0.0 : force.back();
+    for (int k = 1; k <= 20; ++k) {
+      force.push_back(from + (end - from) * k / 20.0 + (k < 20 && k % 2 == 0 ? 3.0 : 0.0));
+      displacement.push_back(at += 1e-3);
+    }
+  }
+  const auto rows = oedometer_branches(displacement, force, 16.0);
+  REQUIRE(rows.size() == 80);
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    CAPTURE(k);
+    // A swing of noise at its end may put a row or two of a branch to the next.
+    if (k % 20 > 1 && k % 20 < 18) {
+      CHECK(rows[k].cycle == k / 40);
+      CHECK(rows[k].loading == (k / 20 % 2 == 0));
+    }
+  }
+  CHECK_THROWS_WITH_AS(oedometer_branches(displacement, force, 0.0), doctest::Contains("swing = 0"), Error);
+  force.pop_back();
+  CHECK_THROWS_WITH_AS(oedometer_branches(displacement, force, 1.0),
+                       doctest::Contains("80 displacements and 79 forces"), Error);
 }

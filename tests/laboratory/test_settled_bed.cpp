@@ -28,7 +28,7 @@ Made small_bed(const BedRecipe& recipe, std::uint64_t seed,
   simulation.add_wall({.name = "trough", .surfaces = bed.surfaces(rock), .dynamics = Fixed{}});
   Random random{seed, "bed"};
   Made made{};
-  made.report = settle_bed(simulation, bed, Assembly{default_rock(), 1.3}, rock, recipe, random,
+  made.report = settle_bed(simulation, bed, Assembly{default_rock(), 1.7}, rock, recipe, random,
                            [](const auto&, const Stage&) {});
   made.hash = state_hash(simulation.bodies());
   made.highest = -1.0;

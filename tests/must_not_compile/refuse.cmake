@@ -1,13 +1,27 @@
-# cmake -D MODE=REFUSE|ACCEPT -D SOURCE=... -D COMPILER=... -D COMPILER_ID=... -D INCLUDES=... -P refuse.cmake
-set(flags -std=c++20 -fsyntax-only)
+# cmake -D MODE=PRECOMPILE|REFUSE|ACCEPT -D SOURCE=... -D COMPILER=... -D COMPILER_ID=... -D INCLUDES=...
+#       -D PRECOMPILED=... -P refuse.cmake
+# PRECOMPILED is the header that every SOURCE includes first; in the mode PRECOMPILE it is made from SOURCE.
+set(flags -std=c++20)
+list(TRANSFORM INCLUDES PREPEND -I)
 if(COMPILER_ID STREQUAL "GNU") # quoted source lines could hold the expected words
+  set(binary ${PRECOMPILED}.gch)
+  set(use -include ${PRECOMPILED})
   list(APPEND flags -fno-diagnostics-show-caret)
 else()
+  set(binary ${PRECOMPILED}.pch)
+  set(use -include-pch ${binary})
   list(APPEND flags -fno-caret-diagnostics)
 endif()
-list(TRANSFORM INCLUDES PREPEND -I)
 
-execute_process(COMMAND ${COMPILER} ${flags} ${INCLUDES} ${SOURCE}
+if(MODE STREQUAL "PRECOMPILE")
+  file(WRITE ${PRECOMPILED} "#include \"${SOURCE}\"\n")
+  execute_process(COMMAND ${COMPILER} ${flags} ${INCLUDES} -x c++-header ${PRECOMPILED} -o ${binary}
+    COMMAND_ERROR_IS_FATAL ANY
+  )
+  return()
+endif()
+
+execute_process(COMMAND ${COMPILER} ${flags} -fsyntax-only ${INCLUDES} ${use} ${SOURCE}
   RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output
 )
 

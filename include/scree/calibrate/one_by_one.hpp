@@ -102,6 +102,22 @@ public:
   }
 
 private:
+  struct Trial {
+    double share, deviation;
+  };
+  static bool nearer(const Trial& a, const Trial& b) { return std::abs(a.deviation) < std::abs(b.deviation); }
+
+  static double first_change(const Parameter& parameter, const Measured& measured, const Trial& trial) {
+    return measured.logarithmic ? parameter.share(parameter.value(trial.share) * std::exp(-trial.deviation))
+                                : trial.share + (trial.share < 0.5 ? 0.1 : -0.1);
+  }
+  /// Where the line through the two trials nearest to the target meets it, but not too far away.
+  static double secant(std::vector<Trial> trials) {
+    std::sort(trials.begin(), trials.end(), nearer);
+    const double run = trials[1].share - trials[0].share, rise = trials[1].deviation - trials[0].deviation;
+    return trials[0].share - (rise != 0.0 ? std::clamp(trials[0].deviation * run / rise, -0.3, 0.3) : 0.0);
+  }
+
   /// Tries values of the step's parameter; the best of them stays. Returns whether the tolerance is met.
   bool search(OneByOneFit& out, std::size_t round, std::size_t s, const RunBatch& batch) const {
     const FitStep& step = steps_[s];
@@ -109,9 +125,6 @@ private:
     const Measured& measured = measured_[step.observable];
     const double target = measured.mean();
     double share = parameter.share(out.parameters[step.parameter]);
-    struct Trial {
-      double share, deviation;
-    };
     std::vector<Trial> trials;
     for (std::size_t k = 0; k < step.most_iterations; ++k) {
       out.parameters[step.parameter] = parameter.value(share);
@@ -122,28 +135,15 @@ private:
       if (std::abs(seen - target) <= step.tolerance) {
         return true;
       }
-      double next = share;
-      if (trials.size() == 1) {
-        next = measured.logarithmic ? parameter.share(parameter.value(share) * std::exp(target - seen))
-                                    : share + (share < 0.5 ? 0.1 : -0.1);
-      } else {
-        // The secant of the two nearest to the target.
-        std::vector<Trial> near = trials;
-        std::sort(near.begin(), near.end(), [](const Trial& a, const Trial& b) {
-          return std::abs(a.deviation) < std::abs(b.deviation);
-        });
-        const double run = near[1].share - near[0].share, rise = near[1].deviation - near[0].deviation;
-        next = near[0].share - (rise != 0.0 ? std::clamp(near[0].deviation * run / rise, -0.3, 0.3) : 0.0);
-      }
-      next = std::clamp(next, 0.0, 1.0); // the space is where the parameter is looked for
+      // The space is where the parameter is looked for.
+      const double next = std::clamp(
+          trials.size() > 1 ? secant(trials) : first_change(parameter, measured, trials[0]), 0.0, 1.0);
       if (next == share) {
         break;
       }
       share = next;
     }
-    const auto best = std::min_element(trials.begin(), trials.end(), [](const Trial& a, const Trial& b) {
-      return std::abs(a.deviation) < std::abs(b.deviation);
-    });
+    const auto best = std::min_element(trials.begin(), trials.end(), nearer);
     out.parameters[step.parameter] = parameter.value(best->share);
     return false;
   }

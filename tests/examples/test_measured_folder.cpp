@@ -1,0 +1,147 @@
+#include "calibrate/measured_folder.hpp"
+#include "support/environment.hpp"
+#include "support/scratch_folder.hpp"
+
+#include "scree/io/atomic_file.hpp"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+using namespace scree;
+using calibrate::read_plan;
+
+namespace {
+
+const std::string top = R"(fidelity = "desk"
+[parameters.friction]
+least = 0.2
+most = 0.8
+[rock]
+density = 1700.0
+[rig]
+friction = 0.25
+[experiments.heap]
+kind = "angle_of_repose"
+funnel.solid = 0.003
+)";
+
+/// What is wrong with a folder that has this calibration.toml and heap.csv.
+std::string complaint(const std::string& toml, const std::string& csv = "angle_deg\n30\n31\n") {
+  const test::ScratchFolder scratch;
+  write_atomically(scratch.path() / "calibration.toml", toml);
+  write_atomically(scratch.path() / "heap.csv", csv);
+  try {
+    (void)read_plan(scratch.path());
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+bool says(const std::string& text, const std::string& part) {
+  CAPTURE(text);
+  const bool found = text.find(part) != std::string::npos;
+  CHECK(found);
+  return found;
+}
+
+} // namespace
+
+TEST_CASE("a folder of measurements is read: parameters, rock, experiments, replicates") {
+  const test::ScratchFolder scratch;
+  write_atomically(scratch.path() / "calibration.toml",
+                   top + "data = \"heap.csv\"\ncurve = \"profile.csv\"\nstandard_error.angle_deg = 0.7\n");
+  write_atomically(scratch.path() / "heap.csv", std::string{"angle_deg\n30\n31\n35\n"});
+  const auto plan = read_plan(scratch.path());
+  REQUIRE(plan.space.size() == 1);
+  CHECK(plan.space[0].name == "friction");
+  CHECK(plan.space[0].least == 0.2);
+  CHECK(plan.start[0] == doctest::Approx(0.53)); // the desk rock's own
+  CHECK(plan.sample.rock.density == 1700.0);
+  CHECK(plan.sample.rig.friction == 0.25);
+  CHECK(plan.with({0.4}).rock.friction == 0.4);
+  REQUIRE(plan.experiments.size() == 1);
+  const auto& heap = plan.experiments[0];
+  CHECK(heap.kind == "angle_of_repose");
+  CHECK(heap.setup.find("\"funnel.solid\":0.003") != std::string::npos);
+  REQUIRE(heap.measured.size() == 1);
+  CHECK(heap.measured[0].replicates == std::vector<double>{30.0, 31.0, 35.0});
+  CHECK(heap.measured[0].error == 0.7);
+  CHECK(heap.curve == scratch.path() / "profile.csv");
+  REQUIRE(plan.steps.size() == 1); // friction from the heap
+  CHECK(plan.steps[0].observable == 0);
+}
+
+TEST_CASE("the smallest calibration of the tests can be read") {
+  const auto plan = read_plan(test::source_directory() / "tests/examples/measured/immersion");
+  CHECK(plan.experiments.at(0).measured.at(0).replicates.size() == 4);
+  // Nothing but the bulk density finds the density in the paper's way.
+  CHECK(plan.steps.empty());
+  CHECK(plan.remarks.size() == 1);
+}
+
+TEST_CASE("curves of an oedometer are reduced as those of the simulation are") {
+  const test::ScratchFolder scratch;
+  write_atomically(scratch.path() / "calibration.toml", std::string{R"([parameters.normal_stiffness]
+least = 1e4
+most = 1e6
+[experiments.oedometer]
+container.radius = 0.15
+container.height = 0.2
+load.low_stress = 1e3
+load.high_stress = 1e4
+curves = ["1.csv"]
+standard_error = {modulus_Pa = 1e4, unloading_modulus_Pa = 1e4, hysteresis_J = 0.1}
+)"});
+  // Up at 2e5 N/m to 707 N, down at 4e5 N/m to 71 N, up again at 3e5 N/m.
+  std::string curve = "displacement_m,lid_force_N\n";
+  const double low = 71.0, high = 707.0;
+  const auto row = [&](double displacement, double force) {
+    curve += message(displacement, ",", force, "\n");
+  };
+  for (int k = 0; k <= 50; ++k) {
+    const double f = low + (high - low) * k / 50;
+    row((f - low) / 2e5, f);
+  }
+  for (int k = 1; k <= 50; ++k) {
+    const double f = high - (high - low) * k / 50;
+    row((high - low) / 2e5 - (high - f) / 4e5, f);
+  }
+  for (int k = 1; k <= 50; ++k) {
+    const double f = low + (high - low) * k / 50;
+    row((high - low) / 4e5 + (f - low) / 3e5, f);
+  }
+  write_atomically(scratch.path() / "1.csv", curve);
+  const auto plan = read_plan(scratch.path());
+  const auto& measured = plan.experiments.at(0).measured;
+  const double to_modulus = 0.2 / (3.141592653589793 * 0.15 * 0.15);
+  CHECK(measured.at(0).replicates.at(0) == doctest::Approx(3e5 * to_modulus).epsilon(1e-4));
+  CHECK(measured.at(1).replicates.at(0) == doctest::Approx(4e5 * to_modulus).epsilon(1e-4));
+  CHECK(measured.at(2).replicates.at(0) ==
+        doctest::Approx(0.5 * (high + low) * (high - low) / 4e5).epsilon(1e-3));
+}
+
+TEST_CASE("a fault in a folder of measurements is told by file and line") {
+  CHECK(complaint(top + "data = \"heap.csv\"\n").empty());
+  says(complaint(top), "calibration.toml:9: experiments.heap needs either data or curves");
+  says(complaint("[parameters.frition]\nleast = 0.0\nmost = 1.0\n"),
+       "there is no parameter 'frition' of rock");
+  says(complaint("[parameters.friction]\nleast = 0.9\nmost = 0.5\n[experiments.heap]\nkind = \"x\"\n"),
+       "calibration.toml:1: parameter friction: bounds 0.9 to 0.5");
+  says(complaint("[parameters.friction]\nleast = 0.5\n"), "needs bounds");
+  says(complaint("[parameters.friction]\nleast = 0.5\nmost = 0.9\nmiddle = 1\n"),
+       "calibration.toml:4: there is no 'parameters.friction.middle'");
+  says(complaint("[parameters.friction]\nleast = 0.6\nmost = 0.9\nstart = 0.1\n"),
+       "parameters.friction.start = 0.1");
+  says(complaint("fidelity = \"desk\"\n"), "the file has no [parameters.NAME]");
+  says(complaint("[parameters.friction]\nleast = 0.5\nmost = 0.9\n"), "the file has no [experiments.NAME]");
+  says(complaint("oddity = 1\n" + top), "there is no 'oddity'");
+  says(complaint(top + "funnel.sold = 1.0\ndata = \"heap.csv\"\n"), "did you mean 'funnel.solid'?");
+  says(complaint(top + "data = \"none.csv\"\n"), "none.csv");
+  says(complaint(top + "data = \"heap.csv\"\n", "angle\n30\n31\n"), "column angle is nothing that");
+  says(complaint(top + "data = \"heap.csv\"\n", "angle_deg\n30\n"), "a single replicate needs an error");
+  says(complaint(top + "data = \"heap.csv\"\nuse = [\"hysteresis_J\"]\n"), "'hysteresis_J' was not measured");
+  says(complaint(top + "curves = [\"heap.csv\"]\n"), "takes tables of observables only");
+  says(complaint("fidelity = \"best\"\n"), "fidelity = \"best\" is not one of desk, lab");
+}
