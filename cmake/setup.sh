@@ -78,7 +78,8 @@ build() {
   preset=$1
   shift
   {
-    NINJA_STATUS='[%f/%t] ' cmake --build "$root/build/$preset" --target "$@" 2>&1 </dev/null
+    # Two compilers a processor, as ninja would have them, are in each other's way: 14 % slower on two.
+    NINJA_STATUS='[%f/%t] ' cmake --build "$root/build/$preset" --parallel "$(processors)" --target "$@" 2>&1 </dev/null
     echo "build-ended $?"
   } | while IFS= read -r line; do
     case $line in

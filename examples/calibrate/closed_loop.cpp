@@ -65,7 +65,7 @@ data = "angle_of_repose.csv"
 } // namespace
 
 Truth make_measurements(const std::filesystem::path& folder, std::uint64_t seed, const Campaign& campaign,
-                        double limit) {
+                        double limit, bool show_progress) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) {
@@ -84,7 +84,11 @@ Truth make_measurements(const std::filesystem::path& folder, std::uint64_t seed,
       parameters[k] = name == plan.space[k].name ? value : parameters[k];
     }
   }
-  Trials trials{plan, campaign, limit, 0};
+  std::size_t expected = 0;
+  for (const Laboratory& l : laboratory) {
+    expected += l.replicates;
+  }
+  Trials trials{plan, campaign, limit, expected, show_progress};
   Random noise{seed, "closed loop, noise"}, seeds{seed, "closed loop, seeds"};
   for (const Laboratory& l : laboratory) {
     const std::size_t e = plan.index_of(l.experiment);

@@ -22,6 +22,6 @@ using Truth = std::vector<std::pair<std::string, double>>;
 /// \param limit s of simulated time of one run
 /// \throws Error where the runs of an experiment fail.
 Truth make_measurements(const std::filesystem::path& folder, std::uint64_t seed,
-                        const scree::Campaign& campaign, double limit);
+                        const scree::Campaign& campaign, double limit, bool show_progress);
 
 } // namespace calibrate

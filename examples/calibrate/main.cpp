@@ -6,6 +6,7 @@
 #include "calibrate/report.hpp"
 #include "laboratory/trials.hpp"
 
+#include "support/crew.hpp"
 #include "support/options.hpp"
 #include "support/results.hpp"
 
@@ -51,18 +52,13 @@ void bind(ex::Options& options, Wish& w) {
 /// One calibration, with summary.json kept up to date.
 class Work {
 public:
-  Work(Wish wish, const ex::Options& options) : wish_{std::move(wish)} {
+  Work(Wish wish, const ex::Options& options, ex::CrewOfProgram& crew) : wish_{std::move(wish)}, crew_{crew} {
     if (wish_.closed_loop == !wish_.measured.empty()) {
       throw Error("give either --measured FOLDER or --closed-loop");
     }
-    if (wish_.resume) {
-      if (wish_.out.empty() || !std::filesystem::is_directory(wish_.out)) {
-        throw Error("resume: --out must name the folder that was begun");
-      }
-      folder_ = wish_.out;
-    } else {
-      folder_ = ex::results_folder(wish_.out, "calibrate");
-    }
+    const ex::CrewFolders folders = crew_.folders(wish_.out, "calibrate", wish_.resume);
+    folder_ = folders.own;
+    runs_ = folders.common / "runs";
     options.write_toml(folder_ / "input.toml");
     summary_["program"] = "calibrate";
     summary_["finished"] = false;
@@ -83,13 +79,12 @@ public:
 
 private:
   void work() {
-    const Campaign campaign{folder_ / "runs", static_cast<unsigned>(wish_.workers)};
+    const Campaign campaign{runs_, static_cast<unsigned>(wish_.workers), crew_.crew()};
     std::filesystem::path measured = wish_.measured;
     calibrate::Truth truth;
     if (wish_.closed_loop) {
       measured = folder_ / "measured";
-      fmt::print(stderr, "measuring by simulation\n");
-      truth = calibrate::make_measurements(measured, wish_.seed, campaign, wish_.limit);
+      truth = calibrate::make_measurements(measured, wish_.seed, campaign, wish_.limit, crew_.first());
     }
     const ex::Plan plan = calibrate::read_plan(measured);
     for (const std::string& remark : plan.remarks) {
@@ -98,7 +93,7 @@ private:
     summary_["remarks"] = plan.remarks;
     const std::size_t expected =
         plan.experiments.size() * ((wish_.method != "one_by_one" ? wish_.runs : 0) + (wish_.draw ? 8 : 0));
-    ex::Trials trials{plan, campaign, wish_.limit, expected};
+    ex::Trials trials{plan, campaign, wish_.limit, expected, crew_.first()};
     std::vector<double> found = plan.start;
     if (wish_.method != "joint") {
       found = one_by_one(plan, trials);
@@ -166,25 +161,28 @@ private:
   void save() const { ex::write_json(folder_ / "summary.json", summary_); }
 
   Wish wish_;
-  std::filesystem::path folder_;
+  ex::CrewOfProgram& crew_;
+  std::filesystem::path folder_, runs_;
   Json summary_;
 };
 
 } // namespace
 
 int main(int argc, char** argv) {
+  ex::CrewOfProgram crew{argc, argv};
   try {
     Wish wish;
     ex::Options options{"calibrate", "Finds the parameters of rock from measured experiments."};
     bind(options, wish);
     options.parse(argc, argv);
-    Work{wish, options}();
+    Work{wish, options, crew}();
     return 0;
   } catch (const ex::HelpWanted& help) {
     fmt::print("{}", help.text);
     return 0;
   } catch (const std::exception& error) {
     fmt::print(stderr, "calibrate: {}\n", error.what());
+    crew.fail();
     return 2;
   }
 }

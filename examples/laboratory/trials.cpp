@@ -10,8 +10,12 @@
 
 namespace scree::examples {
 
-Trials::Trials(const Plan& plan, Campaign campaign, double limit, std::size_t expected)
-    : plan_{plan}, campaign_{std::move(campaign)}, limit_{limit}, expected_{expected} {}
+Trials::Trials(const Plan& plan, Campaign campaign, double limit, std::size_t expected, bool show_progress)
+    : plan_{plan}, campaign_{std::move(campaign)}, limit_{limit}, expected_{expected} {
+  if (show_progress) {
+    progress_.emplace();
+  }
+}
 
 Job Trials::job(const PlannedExperiment& e, const std::vector<double>& parameters, std::uint64_t seed) const {
   std::string values;
@@ -34,9 +38,12 @@ std::vector<JobOutcome> Trials::run(const std::vector<Job>& jobs) {
     kept_ += last.kept ? 1 : 0;
     failed_ += last.failure.empty() ? 0 : 1;
     expected_ = std::max(expected_, done_);
-    progress_(static_cast<double>(done_) / static_cast<double>(expected_),
-              fmt::format("{} runs of about {}, {} of them kept from before, {} failed", done_, expected_,
-                          kept_, failed_));
+    if (!progress_) {
+      return;
+    }
+    (*progress_)(static_cast<double>(done_) / static_cast<double>(expected_),
+                 fmt::format("{} runs of about {}, {} of them kept from before, {} failed", done_, expected_,
+                             kept_, failed_));
   });
 }
 

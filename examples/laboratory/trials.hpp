@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,7 +21,7 @@ class Trials {
 public:
   /// \param limit s of simulated time, beyond which a run counts as failed
   /// \param expected runs in all, for the estimate of the end
-  Trials(const Plan& plan, Campaign campaign, double limit, std::size_t expected);
+  Trials(const Plan& plan, Campaign campaign, double limit, std::size_t expected, bool show_progress);
 
   [[nodiscard]] std::vector<RunOutcome> operator()(const std::vector<RunRequest>& requests);
 
@@ -32,7 +33,12 @@ public:
 
   [[nodiscard]] std::size_t done() const { return done_; }
   [[nodiscard]] std::size_t kept() const { return kept_; }
-  void close() { progress_.close(); }
+  /// Ends the line of the progress, so that other output starts on a new one.
+  void close() {
+    if (progress_) {
+      progress_->close();
+    }
+  }
 
 private:
   [[nodiscard]] Job job(const PlannedExperiment& experiment, const std::vector<double>& parameters,
@@ -43,7 +49,7 @@ private:
   Campaign campaign_;
   double limit_;
   std::size_t expected_, done_ = 0, kept_ = 0, failed_ = 0;
-  Progress progress_;
+  std::optional<Progress> progress_;
 };
 
 } // namespace scree::examples

@@ -6,6 +6,7 @@
 #include "scree/io/csv.hpp"
 #include "scree/laboratory/campaign.hpp"
 #include "scree/laboratory/oedometer.hpp"
+#include "support/crew.hpp"
 #include "support/default_simulation.hpp"
 #include "support/options.hpp"
 #include "support/plot.hpp"
@@ -136,10 +137,11 @@ Numbers numbers_of(const Path& path) {
 
 class Work {
 public:
-  Work(Wish wish, const ex::Options& options)
+  Work(Wish wish, const ex::Options& options, ex::CrewOfProgram& crew)
       : wish_{std::move(wish)},
-        folder_{wish_.resume ? std::filesystem::path{wish_.out}
-                             : ex::results_folder(wish_.out, "sand_oedometer")} {
+        folders_{crew.folders(wish_.out, "sand_oedometer", wish_.resume)},
+        folder_{folders_.own},
+        crew_{crew} {
     options.write_toml(folder_ / "input.toml");
     summary_["program"] = "sand_oedometer";
     summary_["finished"] = false;
@@ -186,9 +188,11 @@ private:
       }
     }
     ex::Progress progress;
-    const Campaign campaign{folder_ / "runs", static_cast<unsigned>(wish_.workers)};
+    const Campaign campaign{folders_.common / "runs", static_cast<unsigned>(wish_.workers), crew_.crew()};
     const auto outcomes = campaign.run(jobs, [&](std::size_t done, std::size_t all, const JobOutcome&) {
-      progress(static_cast<double>(done) / static_cast<double>(all), message(done, " runs of ", all), true);
+      if (crew_.first()) {
+        progress(static_cast<double>(done) / static_cast<double>(all), message(done, " runs of ", all), true);
+      }
     });
     progress.close();
     for (std::size_t s = 0; s < wish_.stiffnesses.size(); ++s) {
@@ -302,7 +306,9 @@ private:
   void save() const { ex::write_json(folder_ / "summary.json", summary_); }
 
   Wish wish_;
+  ex::CrewFolders folders_;
   std::filesystem::path folder_;
+  const ex::CrewOfProgram& crew_;
   std::vector<Path> paths_;
   Json summary_;
 };
@@ -310,6 +316,7 @@ private:
 } // namespace
 
 int main(int argc, char** argv) {
+  ex::CrewOfProgram crew{argc, argv};
   try {
     Wish wish;
     ex::Options options{"sand_oedometer",
@@ -329,13 +336,14 @@ int main(int argc, char** argv) {
     if (wish.reference.empty()) {
       throw Error("--reference must name the folder of the measurements");
     }
-    Work{wish, options}();
+    Work{wish, options, crew}();
     return 0;
   } catch (const ex::HelpWanted& help) {
     fmt::print("{}", help.text);
     return 0;
   } catch (const std::exception& error) {
     fmt::print(stderr, "sand_oedometer: {}\n", error.what());
+    crew.fail();
     return 2;
   }
 }

@@ -3,6 +3,7 @@
 
 #include "laboratory/plan.hpp"
 #include "laboratory/trials.hpp"
+#include "support/crew.hpp"
 #include "support/options.hpp"
 #include "support/plot.hpp"
 #include "support/results.hpp"
@@ -68,14 +69,16 @@ Mean mean_of(std::span<const double> values) {
 
 class Work {
 public:
-  Work(Wish wish, const ex::Options& options, const ex::RockOptions& rock, Material rig, bool desk)
+  Work(Wish wish, const ex::Options& options, const ex::RockOptions& rock, Material rig, bool desk,
+       ex::CrewOfProgram& crew)
       : wish_{std::move(wish)},
         rock_{rock},
         rig_{std::move(rig)},
         desk_{desk},
-        folder_{wish_.resume ? std::filesystem::path{wish_.out}
-                             : ex::results_folder(wish_.out, "sensitivity")},
-        campaign_{folder_ / "runs", static_cast<unsigned>(wish_.workers)} {
+        folders_{crew.folders(wish_.out, "sensitivity", wish_.resume)},
+        folder_{folders_.own},
+        campaign_{folders_.common / "runs", static_cast<unsigned>(wish_.workers), crew.crew()},
+        show_progress_{crew.first()} {
     options.write_toml(folder_ / "input.toml");
     summary_["program"] = "sensitivity";
     summary_["finished"] = false;
@@ -90,7 +93,7 @@ public:
     for (const Sweep& sweep : sweeps) {
       runs += wanted(sweep.experiment) ? values_of(sweep).size() * wish_.replicates : 0;
     }
-    ex::Trials trials{plan, campaign_, wish_.limit, runs};
+    ex::Trials trials{plan, campaign_, wish_.limit, runs, show_progress_};
     for (const Sweep& sweep : sweeps) {
       if (wanted(sweep.experiment)) {
         run(sweep, plan, trials);
@@ -223,7 +226,7 @@ private:
     for (const MassConvention convention :
          {MassConvention::sum_of_spheres, MassConvention::union_of_spheres}) {
       const ex::Plan plan = plan_of({"bulk_density"}, convention);
-      ex::Trials trials{plan, campaign_, wish_.limit, wish_.replicates};
+      ex::Trials trials{plan, campaign_, wish_.limit, wish_.replicates, show_progress_};
       const Mean mean = mean_of(observed(plan, trials, "bulk_density", "bulk_density_kg_m3",
                                          rock_.material().normal_stiffness, rock_.material().friction));
       const std::string name{to_string(convention)};
@@ -243,13 +246,15 @@ private:
   ex::RockOptions rock_;
   Material rig_;
   bool desk_;
+  ex::CrewFolders folders_;
   std::filesystem::path folder_;
   Campaign campaign_;
+  bool show_progress_;
   Json summary_;
   std::vector<ex::Panel> panels_;
 };
 
-int run(int argc, char** argv) {
+int run(int argc, char** argv, ex::CrewOfProgram& crew) {
   std::string fidelity = ex::Options::peek(argc, argv, "fidelity").value_or("desk");
   const bool desk = fidelity == "desk";
   Wish wish;
@@ -271,20 +276,22 @@ int run(int argc, char** argv) {
   Material rig = rock.rig();
   ex::bind(options, rock, rig);
   options.parse(argc, argv);
-  Work{wish, options, rock, rig, desk}();
+  Work{wish, options, rock, rig, desk, crew}();
   return 0;
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
+  ex::CrewOfProgram crew{argc, argv};
   try {
-    return run(argc, argv);
+    return run(argc, argv, crew);
   } catch (const ex::HelpWanted& help) {
     fmt::print("{}", help.text);
     return 0;
   } catch (const std::exception& error) {
     fmt::print(stderr, "sensitivity: {}\n", error.what());
+    crew.fail();
     return 2;
   }
 }

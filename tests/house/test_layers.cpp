@@ -107,6 +107,23 @@ std::string text_of(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>{in}, {}};
 }
 
+/// Whether a header of `top` includes Eigen, itself or through others of scree.
+bool reaches_eigen(const std::filesystem::path& top, const std::string& name, std::set<std::string>& seen) {
+  if (!seen.insert(name).second) {
+    return false;
+  }
+  static const std::regex include_line{R"(#\s*include\s*[<"](?:scree/)?([^>"]+)[>"])"};
+  const std::string text = text_of(top / name);
+  for (std::sregex_iterator it{text.begin(), text.end(), include_line}, end; it != end; ++it) {
+    const std::string used = (*it)[1];
+    if (used.starts_with("Eigen/") ||
+        (std::filesystem::exists(top / used) && reaches_eigen(top, used, seen))) {
+      return true;
+    }
+  }
+  return false;
+}
+
 } // namespace
 
 TEST_CASE("every header includes only what its folder may include") {
@@ -124,6 +141,25 @@ TEST_CASE("every header includes only what its folder may include") {
     }
   }
   CHECK(headers > 0);
+}
+
+TEST_CASE("every header that names a type of Eigen includes it, itself or through others") {
+  // The check that headers compile alone has Eigen read beforehand.
+  const auto top = scree::test::source_directory() / "include" / "scree";
+  const std::regex type{R"(\b(Eigen::|Vector\b|Matrix\b|Quaternion\b))"};
+  int users = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator{top}) {
+    if (!entry.is_regular_file() || !std::regex_search(text_of(entry.path()), type)) {
+      continue;
+    }
+    const std::string name = entry.path().lexically_relative(top).generic_string();
+    std::set<std::string> seen;
+    CHECK_MESSAGE(reaches_eigen(top, name, seen), name);
+    ++users;
+  }
+  CHECK(users > 20);
+  std::set<std::string> seen;
+  CHECK_FALSE(reaches_eigen(top, "core/error.hpp", seen));
 }
 
 TEST_CASE("the check of includes finds what is wrong") {

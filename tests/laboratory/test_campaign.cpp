@@ -4,11 +4,13 @@
 #include <doctest/doctest.h>
 
 #include <atomic>
+#include <barrier>
 #include <cmath>
 #include <cstddef>
 #include <fstream>
 #include <new>
 #include <string>
+#include <thread>
 #include <vector>
 
 using namespace scree;
@@ -72,6 +74,48 @@ TEST_CASE("a campaign that was ended goes on where it was") {
   CHECK_FALSE(outcomes[7].kept);
 }
 
+TEST_CASE("processes that share a campaign each do a part, and all have all of it") {
+  const test::ScratchFolder folder;
+  constexpr std::size_t size = 3;
+  std::atomic<int> done{0};
+  const auto jobs = roots(23, done);
+  const auto alone = Campaign{{}, 1}.run(jobs);
+  Campaign{folder / "runs", 1}.run({jobs.begin(), jobs.begin() + 4}); // kept from before
+  done = 0;
+  // Threads stand for processes.
+  std::vector<std::string> texts(size);
+  std::barrier meet{static_cast<std::ptrdiff_t>(size)};
+  std::vector<std::vector<JobOutcome>> outcomes(size);
+  std::vector<std::size_t> told(size, 0);
+  std::vector<std::thread> processes;
+  for (std::size_t rank = 0; rank < size; ++rank) {
+    processes.emplace_back([&, rank] {
+      const auto exchange = [&, rank](const std::string& mine) {
+        texts[rank] = mine;
+        meet.arrive_and_wait();
+        std::vector<std::string> all = texts;
+        meet.arrive_and_wait();
+        return all;
+      };
+      const Campaign campaign{folder / "runs", 2, {.rank = rank, .size = size, .exchange = exchange}};
+      outcomes[rank] = campaign.run(jobs, [&](std::size_t, std::size_t, const JobOutcome&) { ++told[rank]; });
+    });
+  }
+  for (std::thread& process : processes) {
+    process.join();
+  }
+  CHECK(done == 19);
+  for (std::size_t rank = 0; rank < size; ++rank) {
+    CHECK(told[rank] == 23);
+    for (std::size_t k = 0; k < jobs.size(); ++k) {
+      CHECK(outcomes[rank][k].values == alone[k].values);
+      CHECK(outcomes[rank][k].failure == alone[k].failure);
+      CHECK(outcomes[rank][k].kept == (k < 4));
+    }
+  }
+  CHECK_THROWS_WITH_AS((Campaign{{}, 1, {.rank = 0, .size = 2}}), doctest::Contains("process 0 of 2"), Error);
+}
+
 TEST_CASE("jobs of one key are one run") {
   std::atomic<int> done{0};
   auto jobs = roots(3, done);
@@ -90,11 +134,12 @@ TEST_CASE("a campaign refuses files and keys that are not its own") {
   const auto file = campaign.file_of(jobs[0].key);
   const auto spoil = [&](const std::string& text) { std::ofstream{file} << text; };
   spoil("scree run, format 1\nkey root of 0\nvalue 0\n");
-  CHECK_THROWS_WITH_AS(campaign.run(jobs), doctest::Contains("the file ends early"), Error);
+  CHECK_THROWS_WITH_AS(campaign.run(jobs), doctest::Contains("the outcome is cut off"), Error);
   spoil("scree run, format 1\nkey root of 1\nend\n");
   CHECK_THROWS_WITH_AS(campaign.run(jobs), doctest::Contains(":2: this is kept of another run"), Error);
   spoil("scree run, format 1\nkey root of 0\nvalue x\nend\n");
-  CHECK_THROWS_WITH_AS(campaign.run(jobs), doctest::Contains(":3: this is neither"), Error);
+  CHECK_THROWS_WITH_AS(campaign.run(jobs),
+                       doctest::Contains(":3: the outcome is cut off, or has a line that is neither"), Error);
   spoil("");
   CHECK_THROWS_WITH_AS(campaign.run(jobs), doctest::Contains("no kept run"), Error);
   CHECK_THROWS_WITH_AS(campaign.run({{"two\nlines", {}}}), doctest::Contains("one line"), Error);

@@ -6,6 +6,7 @@ TEST_CASE("physics: the wall of a filled tube carries weight, Janssen") {
   check_case("janssen");
 }
 
-TEST_CASE("physics: balls run out of an orifice, Beverloo") {
+// Four minutes of one core.
+TEST_CASE("long: balls run out of an orifice, Beverloo") {
   check_case("beverloo");
 }

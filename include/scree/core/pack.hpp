@@ -74,10 +74,10 @@ bool any_bit(const Mask& m) {
 }
 #else
 inline constexpr bool has_estimates = false;
-template <class Vector>
-Vector reciprocal_estimate(const Vector&) = delete;
-template <class Vector>
-Vector root_estimate(const Vector&) = delete;
+template <class Register>
+Register reciprocal_estimate(const Register&) = delete;
+template <class Register>
+Register root_estimate(const Register&) = delete;
 #if defined(__AVX__)
 inline constexpr std::size_t register_bytes = 32;
 inline auto roots(__m256d a) {
@@ -96,20 +96,20 @@ inline auto roots(__m128 a) {
 }
 #else
 inline constexpr std::size_t register_bytes = 16;
-template <class Vector>
-Vector roots(Vector a) {
+template <class Register>
+Register roots(Register a) {
   for (std::size_t lane = 0; lane < sizeof a / sizeof a[0]; ++lane) {
     a[lane] = std::sqrt(a[lane]);
   }
   return a;
 }
 #endif
-template <class Vector>
-auto below(const Vector& a, const Vector& b) {
+template <class Register>
+auto below(const Register& a, const Register& b) {
   return a < b;
 }
-template <class Mask, class Vector>
-Vector chosen(const Mask& m, const Vector& yes, const Vector& no) {
+template <class Mask, class Register>
+Register chosen(const Mask& m, const Register& yes, const Register& no) {
   return m ? yes : no;
 }
 template <class Mask>
@@ -122,8 +122,8 @@ bool any_bit(const Mask& m) {
 }
 #endif
 
-template <class Vector, std::size_t... k>
-auto joined(const Vector& a, const Vector& b, std::index_sequence<k...>) {
+template <class Register, std::size_t... k>
+auto joined(const Register& a, const Register& b, std::index_sequence<k...>) {
   return __builtin_shufflevector(a, b, static_cast<int>(k)...);
 }
 

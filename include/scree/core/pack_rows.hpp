@@ -20,12 +20,12 @@ using Fields = std::array<T, 4>;
 
 namespace detail {
 
-template <class Vector, std::size_t... k>
-Vector evens(const Vector& a, const Vector& b, std::index_sequence<k...>) {
+template <class Register, std::size_t... k>
+Register evens(const Register& a, const Register& b, std::index_sequence<k...>) {
   return __builtin_shufflevector(a, b, static_cast<int>(2 * k)...);
 }
-template <class Vector, std::size_t... k>
-Vector odds(const Vector& a, const Vector& b, std::index_sequence<k...>) {
+template <class Register, std::size_t... k>
+Register odds(const Register& a, const Register& b, std::index_sequence<k...>) {
   return __builtin_shufflevector(a, b, static_cast<int>(2 * k + 1)...);
 }
 /// Number k of what comes of laying pieces of `size` numbers of a and b (of `width`) down in turn.
@@ -33,17 +33,17 @@ constexpr int alternating(std::size_t k, std::size_t size, std::size_t width) {
   const std::size_t piece = k / size;
   return static_cast<int>(piece % 2 * width + piece / 2 * size + k % size);
 }
-template <std::size_t size, class Vector, std::size_t... k>
-Vector interleaved_low(const Vector& a, const Vector& b, std::index_sequence<k...>) {
+template <std::size_t size, class Register, std::size_t... k>
+Register interleaved_low(const Register& a, const Register& b, std::index_sequence<k...>) {
   return __builtin_shufflevector(a, b, alternating(k, size, sizeof...(k))...);
 }
-template <std::size_t size, class Vector, std::size_t... k>
-Vector interleaved_high(const Vector& a, const Vector& b, std::index_sequence<k...>) {
+template <std::size_t size, class Register, std::size_t... k>
+Register interleaved_high(const Register& a, const Register& b, std::index_sequence<k...>) {
   return __builtin_shufflevector(a, b, alternating(sizeof...(k) + k, size, sizeof...(k))...);
 }
 
-template <class Vector, std::size_t... k>
-auto half_of(const Vector& v, std::size_t which, std::index_sequence<k...>) {
+template <class Register, std::size_t... k>
+auto half_of(const Register& v, std::size_t which, std::index_sequence<k...>) {
   return which == 0 ? __builtin_shufflevector(v, v, static_cast<int>(k)...)
                     : __builtin_shufflevector(v, v, static_cast<int>(sizeof...(k) + k)...);
 }
@@ -129,10 +129,10 @@ template <class T, class A, class B>
 namespace detail {
 
 /// at[0 .. n) = operation(at[0 .. n), values)
-template <class Real, std::size_t n, class Vector, class Operation>
-[[gnu::always_inline]] inline void update(Real* at, const Vector& values, const Operation& operation) {
+template <class Real, std::size_t n, class Register, class Operation>
+[[gnu::always_inline]] inline void update(Real* at, const Register& values, const Operation& operation) {
   auto& place = *reinterpret_cast<typename LooseVectorOf<Real, n>::type*>(at);
-  place = operation(static_cast<Vector>(place), values);
+  place = operation(static_cast<Register>(place), values);
 }
 
 /// Four packs as rows of four numbers: piece k has numbers `k * width` to `(k + 1) * width` of all rows, one

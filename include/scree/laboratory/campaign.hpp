@@ -17,6 +17,7 @@
 #include <exception>
 #include <filesystem>
 #include <functional>
+#include <istream>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -45,19 +46,33 @@ struct JobOutcome {
   bool kept = false;     ///< it was there already
 };
 
+/// The processes that do a campaign together; by default only this one.
+struct Crew {
+  std::size_t rank = 0, size = 1;
+  /// Called by all processes at once: takes a text of each, and gives all of them to each, by rank.
+  std::function<std::vector<std::string>(const std::string& mine)> exchange{};
+};
+
 /// Runs jobs side by side and keeps each outcome in a file of its own, named by a hash of the key: a campaign
 /// that is killed and started again repeats none. Outcomes do not depend on the number of workers.
+///
+/// Where several processes are given the same jobs in the same order, each does its share of those that are
+/// not kept yet, and all have all outcomes in the end. Their folder must be one that all of them see.
 class Campaign {
 public:
   /// Told of every outcome, one at a time: how many are done, of how many, and the last one.
   using Watch = std::function<void(std::size_t done, std::size_t all, const JobOutcome& last)>;
 
   /// \param folder for the outcomes, made if need be; empty: nothing is kept
-  /// \param workers 0: one for each processor
-  /// \throws Error naming the folder if it cannot be made.
-  explicit Campaign(std::filesystem::path folder = {}, unsigned workers = 0)
+  /// \param workers of this process; 0: one for each processor
+  /// \throws Error naming the folder if it cannot be made, or for a crew without an exchange.
+  explicit Campaign(std::filesystem::path folder = {}, unsigned workers = 0, Crew crew = {})
       : folder_{std::move(folder)},
-        workers_{workers > 0 ? workers : std::max(1U, std::thread::hardware_concurrency())} {
+        workers_{workers > 0 ? workers : std::max(1U, std::thread::hardware_concurrency())},
+        crew_{std::move(crew)} {
+    if (crew_.rank >= crew_.size || (crew_.size > 1 && !crew_.exchange)) {
+      throw Error(message("campaign: process ", crew_.rank, " of ", crew_.size, " cannot take part"));
+    }
     if (!folder_.empty()) {
       std::error_code error;
       std::filesystem::create_directories(folder_, error);
@@ -92,14 +107,24 @@ public:
         open.push_back(j);
       }
     }
+    if (crew_.size > 1) {
+      (void)crew_.exchange(""); // all have seen what is kept before the first of them keeps more
+    }
+    std::vector<std::size_t> mine;
+    for (std::size_t k = crew_.rank; k < open.size(); k += crew_.size) {
+      mine.push_back(open[k]);
+    }
     std::mutex one_at_a_time;
-    do_all(open, [&](std::size_t j) {
+    do_all(mine, [&](std::size_t j) {
       JobOutcome outcome = outcome_of(jobs[j]);
       keep(jobs[j].key, outcome);
       const std::lock_guard lock{one_at_a_time};
       outcomes[j] = std::move(outcome);
       tell(outcomes[j]);
     });
+    if (crew_.size > 1) {
+      take_from_others(open, outcomes, tell);
+    }
     for (const std::size_t j : again) {
       outcomes[j] = outcomes[first.at(jobs[j].key)];
       tell(outcomes[j]);
@@ -168,18 +193,66 @@ private:
     }
   }
 
-  void keep(const std::string& key, const JobOutcome& outcome) const {
-    if (folder_.empty()) {
-      return;
+  /// The outcomes of the jobs that the other processes did, in the order in which these had them.
+  template <class Tell>
+  void take_from_others(const std::vector<std::size_t>& open, std::vector<JobOutcome>& outcomes,
+                        const Tell& tell) const {
+    std::string text;
+    for (std::size_t k = crew_.rank; k < open.size(); k += crew_.size) {
+      text += text_of(outcomes[open[k]]);
     }
-    std::string text = message(first_line, "\nkey ", key, "\n");
+    const std::vector<std::string> all = crew_.exchange(text);
+    for (std::size_t rank = 0; rank < crew_.size; ++rank) {
+      if (rank == crew_.rank) {
+        continue;
+      }
+      std::istringstream lines{all.at(rank)};
+      for (std::size_t k = rank; k < open.size(); k += crew_.size) {
+        auto outcome = read_outcome(lines);
+        if (!outcome) {
+          throw Error(message("campaign: process ", rank, " sent no outcome of run ", open[k] + 1));
+        }
+        outcomes[open[k]] = std::move(*outcome);
+        tell(outcomes[open[k]]);
+      }
+    }
+  }
+
+  static std::string text_of(const JobOutcome& outcome) {
+    std::string text;
     if (!outcome.failure.empty()) {
       text += message("failure ", outcome.failure, "\n");
     }
     for (const double value : outcome.values) {
       text += message("value ", number_text(value), "\n");
     }
-    write_atomically(file_of(key), text + "end\n");
+    return text + "end\n";
+  }
+  /// Up to the line "end", or nothing for text that is not as `text_of` writes it.
+  static std::optional<JobOutcome> read_outcome(std::istream& lines) {
+    JobOutcome outcome;
+    std::string line;
+    while (std::getline(lines, line)) {
+      if (line == "end") {
+        return outcome;
+      }
+      if (line.rfind("failure ", 0) == 0) {
+        outcome.failure = line.substr(8);
+      } else if (const auto value = line.rfind("value ", 0) == 0
+                                        ? parse_number(std::string_view{line}.substr(6))
+                                        : std::nullopt) {
+        outcome.values.push_back(*value);
+      } else {
+        return std::nullopt;
+      }
+    }
+    return std::nullopt;
+  }
+
+  void keep(const std::string& key, const JobOutcome& outcome) const {
+    if (!folder_.empty()) {
+      write_atomically(file_of(key), message(first_line, "\nkey ", key, "\n", text_of(outcome)));
+    }
   }
 
   [[nodiscard]] std::optional<JobOutcome> kept(const std::string& key) const {
@@ -188,42 +261,27 @@ private:
       return std::nullopt;
     }
     std::istringstream lines{read_text(file, std::size_t{1} << 28U)};
-    std::size_t number = 0;
     std::string line;
-    const auto next = [&] {
-      ++number;
-      return static_cast<bool>(std::getline(lines, line));
-    };
-    const auto refuse = [&](const char* why) {
+    const auto refuse = [&](std::size_t number, const char* why) {
       throw file_error(file, number, message(why, "; delete the file to do its run again"));
     };
-    if (!next() || line != first_line) {
-      refuse("this is no kept run of this version");
+    if (!std::getline(lines, line) || line != first_line) {
+      refuse(1, "this is no kept run of this version");
     }
-    if (!next() || line != "key " + key) {
-      refuse("this is kept of another run");
+    if (!std::getline(lines, line) || line != "key " + key) {
+      refuse(2, "this is kept of another run");
     }
-    JobOutcome outcome;
-    outcome.kept = true;
-    while (next() && line != "end") {
-      if (line.rfind("failure ", 0) == 0) {
-        outcome.failure = line.substr(8);
-      } else if (const auto value = line.rfind("value ", 0) == 0
-                                        ? parse_number(std::string_view{line}.substr(6))
-                                        : std::nullopt) {
-        outcome.values.push_back(*value);
-      } else {
-        refuse("this is neither a value nor a failure");
-      }
+    auto outcome = read_outcome(lines);
+    if (!outcome) {
+      refuse(3, "the outcome is cut off, or has a line that is neither a value nor a failure");
     }
-    if (line != "end") {
-      refuse("the file ends early");
-    }
+    outcome->kept = true;
     return outcome;
   }
 
   std::filesystem::path folder_;
   unsigned workers_;
+  Crew crew_;
 };
 
 } // namespace scree
