@@ -27,7 +27,7 @@ struct Laboratory {
 };
 constexpr Laboratory laboratory[] = {{"immersion", 10, 5e-4, 0.0},
                                      {"bulk_density", 12, 1e-3, 0.0},
-                                     {"oedometer", 10, 1e-2, 0.0},
+                                     {"oedometer", 16, 1e-2, 0.0},
                                      {"angle_of_repose", 12, 0.0, 0.5}};
 
 /// The bounds are wider than what is drawn, so that the truth is not at the edge of the space.
@@ -55,8 +55,9 @@ data = "immersion.csv"
 data = "bulk_density.csv"
 
 [experiments.oedometer]
+load.cycles = 2 # enough for these, and each costs a quarter of the time
 data = "oedometer.csv"
-use = ["modulus_Pa", "unloading_modulus_Pa"]
+use = ["modulus_Pa", "first_modulus_Pa", "unloading_modulus_Pa", "settlement"]
 
 [experiments.angle_of_repose]
 data = "angle_of_repose.csv"

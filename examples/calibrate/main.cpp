@@ -25,9 +25,9 @@ namespace ex = scree::examples;
 using Json = nlohmann::ordered_json;
 
 struct Wish {
-  std::string measured, out, method = "joint";
+  std::string measured, out, kept, method = "joint";
   bool closed_loop = false, resume = false, draw = true;
-  std::uint64_t seed = 1, runs = 60, workers = 0, replicates = 4;
+  std::uint64_t seed = 1, fit_seed = 1, runs = 44, workers = 0, replicates = 4;
   double confidence = 0.9, limit = 300.0;
 };
 
@@ -38,9 +38,14 @@ void bind(ex::Options& options, Wish& w) {
   options.add("out", w.out, {}, "folder for the results; none: results/calibrate-K");
   options.add("resume", w.resume,
               "go on in a folder that was begun: runs that are kept there are not repeated");
+  options.add(
+      "kept", w.kept, {},
+      "folder that keeps every run, which several calibrations may use one after another; none: runs/ "
+      "in the folder for the results");
   options.add("method", w.method, {"joint", "one_by_one", "both"},
               "all parameters at once with intervals, or the paper's sequence");
-  options.add("seed", w.seed, {0.0, 9e15}, "of all random numbers");
+  options.add("seed", w.seed, {0.0, 9e15}, "of the closed loop's parameters and measurements");
+  options.add("fit_seed", w.fit_seed, {0.0, 9e15}, "of the runs that are made to find the parameters");
   options.add("runs", w.runs, {10.0, 1e6}, "of each experiment at most, in the joint fit");
   options.add("replicates", w.replicates, {1.0, 1e4}, "of each run one by one, whose mean counts");
   options.add("confidence", w.confidence, {0.5, 0.999}, "of the intervals");
@@ -58,7 +63,7 @@ public:
     }
     const ex::CrewFolders folders = crew_.folders(wish_.out, "calibrate", wish_.resume);
     folder_ = folders.own;
-    runs_ = folders.common / "runs";
+    runs_ = wish_.kept.empty() ? folders.common / "runs" : std::filesystem::path{wish_.kept};
     options.write_toml(folder_ / "input.toml");
     summary_["program"] = "calibrate";
     summary_["finished"] = false;
@@ -116,7 +121,7 @@ private:
 
   std::vector<double> one_by_one(const ex::Plan& plan, ex::Trials& trials) {
     OneByOneCalibration calibration{
-        plan.space, plan.measured(), plan.steps, {.replicates = wish_.replicates, .seed = wish_.seed}};
+        plan.space, plan.measured(), plan.steps, {.replicates = wish_.replicates, .seed = wish_.fit_seed}};
     const OneByOneFit fit =
         calibration.fit(plan.start, [&](const auto& requests) { return trials(requests); });
     trials.close();
@@ -133,7 +138,7 @@ private:
     JointCalibration calibration{
         plan.space,
         plan.measured(),
-        {.most_runs = wish_.runs, .confidence = wish_.confidence, .seed = wish_.seed}};
+        {.most_runs = wish_.runs, .confidence = wish_.confidence, .seed = wish_.fit_seed}};
     const JointFit fit = calibration.fit([&](const auto& requests) { return trials(requests); });
     trials.close();
     summary_.update(calibrate::described(plan, fit));

@@ -230,7 +230,8 @@ void read_experiment(const Source& source, const std::string& name, const toml::
       found->error = source.number(value, "standard_error");
     }
   }
-  for (const Measured& m : e.measured) {
+  for (Measured& m : e.measured) {
+    m.specimens = e.name;
     try {
       m.check();
     } catch (const Error& error) {

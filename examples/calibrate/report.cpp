@@ -36,7 +36,8 @@ Json described(const Plan& plan, const JointFit& fit) {
     out["parameters"][plan.space[k].name] = {{"unit", plan.space[k].unit},
                                              {"estimate", e.value},
                                              {"interval", {e.low, e.high}},
-                                             {"determined", e.determined}};
+                                             {"determined", e.determined},
+                                             {"share_of_variance_from_simulations", e.simulated_share}};
   }
   for (std::size_t i = 0; i < plan.space.size(); ++i) {
     for (std::size_t k = i + 1; k < plan.space.size(); ++k) {

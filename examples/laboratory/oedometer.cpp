@@ -32,9 +32,10 @@ OedometerCycle last_unloaded(const std::vector<OedometerCycle>& cycles) {
 }
 
 /// In the order of the observables.
-std::vector<double> observables_of(const std::vector<OedometerCycle>& cycles) {
+std::vector<double> observables_of(const std::vector<OedometerCycle>& cycles, double height) {
   const OedometerCycle full = last_unloaded(cycles);
-  return {cycles.back().modulus, full.unloading_modulus, full.hysteresis};
+  return {cycles.back().modulus, cycles.front().modulus, full.unloading_modulus,
+          cycles.front().compressed / height, full.hysteresis};
 }
 
 class OedometerExperiment final : public Experiment {
@@ -47,10 +48,14 @@ public:
 
   void bind(Options& options) override {
     options.group("Container and lid");
+    const auto source = [](double value, double of_paper) {
+      return value == of_paper ? Provenance::paper : Provenance::ours;
+    };
+    const RoundContainer paper{};
     options.add("container.radius", setup_.container.radius, {0.001, 100.0, "m"}, "of the tube",
-                Provenance::paper);
+                source(setup_.container.radius, paper.radius));
     options.add("container.height", setup_.container.height, {0.001, 100.0, "m"}, "to which it is filled",
-                Provenance::paper);
+                source(setup_.container.height, paper.height));
     options.add("load.low_stress", setup_.low_stress, {1e-3, 1e12, "Pa"},
                 "on the lid, at the end of unloading");
     options.add("load.high_stress", setup_.high_stress, {1e-3, 1e12, "Pa"}, "at the end of loading");
@@ -62,7 +67,7 @@ public:
     options.add("load.points", setup_.points, {10.0, 1e6}, "of the curve, in each branch");
   }
   std::vector<Observable> observables() const override {
-    return {{"modulus_Pa"}, {"unloading_modulus_Pa"}, {"hysteresis_J"}};
+    return {{"modulus_Pa"}, {"first_modulus_Pa"}, {"unloading_modulus_Pa"}, {"settlement"}, {"hysteresis_J"}};
   }
   CurveFile curve() const override {
     return {"oedometer.csv", "displacement_m", "lid_force_N", "Load on the lid", "displacement, m", "N"};
@@ -74,7 +79,7 @@ public:
     if (!folder.empty()) {
       write_curve(folder, r, setup_.container.area());
     }
-    return observables_of(r.cycles);
+    return observables_of(r.cycles, r.height);
   }
   std::vector<double> reduce(const CsvTable& curve) const override {
     const double area = setup_.container.area(), low = setup_.low_stress * area,
@@ -89,7 +94,7 @@ public:
     for (std::size_t c = 0; c <= rows.back().cycle; ++c) {
       cycles.push_back(oedometer_cycle(rows, c, window));
     }
-    return observables_of(cycles);
+    return observables_of(cycles, window.height);
   }
   void show(Workbench& bench) const override {
     Oedometer<> oedometer{detail::prepared(setup_, detail::conditions_of(bench)),
@@ -99,8 +104,11 @@ public:
     write_curve(bench.folder(), r, setup_.container.area());
     auto& summary = bench.summary();
     summary["slope_N_m"] = r.slope;
-    summary["modulus_Pa"] = r.modulus;
-    summary["unloading_modulus_Pa"] = last_unloaded(r.cycles).unloading_modulus;
+    const auto observed = observables_of(r.cycles, r.height);
+    const auto names = observables();
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      summary[names[k].name] = observed[k];
+    }
     summary["inertial_number"] = r.inertial_number;
     summary["height_m"] = r.height;
     summary["grains"] = r.fill.kept;

@@ -184,16 +184,15 @@ private:
     std::vector<double> x, y;
     {
       CsvWriter table{folder_ / (name + ".csv"),
-                      {sweep.parameter, sweep.observable, "standard_error", "low", "high", "runs"},
-                      "Means of the replicates; low and high are one standard error off."};
+                      {sweep.parameter, sweep.observable, "standard_error", "runs"},
+                      "Means of the replicates."};
       for (const double step : values_of(sweep)) {
         const double stiffness = friction_varies ? base.normal_stiffness : step * base.normal_stiffness;
         const double friction = friction_varies ? step : base.friction;
         const auto values = observed(plan, trials, sweep.experiment, sweep.observable, stiffness, friction);
         const Mean mean = mean_of(values);
         const double value = friction_varies ? friction : stiffness;
-        table.row({value, mean.value, mean.error, mean.value - mean.error, mean.value + mean.error,
-                   static_cast<double>(values.size())});
+        table.row({value, mean.value, mean.error, static_cast<double>(values.size())});
         rows.push_back(
             {{sweep.parameter, value}, {sweep.observable, mean.value}, {"standard_error", mean.error}});
         fmt::print("{} {} at {} {:.4g}: {:.4g} +- {:.2g}\n", sweep.experiment, sweep.observable,
@@ -211,9 +210,11 @@ private:
     }
     save();
     ex::Panel panel{message(sweep.experiment, ": ", sweep.claim), sweep.parameter, sweep.observable, {}};
-    panel.curves.push_back({name + ".csv", sweep.parameter, sweep.observable, "mean"});
-    panel.curves.push_back({name + ".csv", sweep.parameter, "low", "one standard error below"});
-    panel.curves.push_back({name + ".csv", sweep.parameter, "high", "and above"});
+    panel.curves.push_back({.file = name + ".csv",
+                            .x = sweep.parameter,
+                            .y = sweep.observable,
+                            .title = "mean and its standard error",
+                            .error = "standard_error"});
     panels_.push_back(std::move(panel));
   }
 

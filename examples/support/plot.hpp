@@ -25,6 +25,7 @@ struct Curve {
   std::string x, y;           ///< column names
   std::string title;
   double factor = 1.0; ///< on y
+  std::string error{}; ///< column of the standard error of y, drawn as bars; none
 };
 
 /// A value from elsewhere, drawn as a point. Points of one label look alike, others of a kind differ in
@@ -61,9 +62,12 @@ inline std::string panel_commands(const Panel& panel) {
   std::string parts, data;
   for (std::size_t n = 0; n < panel.curves.size(); ++n) {
     const Curve& c = panel.curves[n];
-    parts += fmt::format("{} {} using (column({})):(column({})*{}) with lines lw 1.8 lc rgb '{}' title {}",
+    const std::string bars =
+        c.error.empty() ? "" : fmt::format(":(column({})*{})", gnuplot_text(c.error), c.factor);
+    parts += fmt::format("{} {} using (column({})):(column({})*{}){} with {} lw 1.8 lc rgb '{}' title {}",
                          parts.empty() ? "plot" : ",", gnuplot_text(c.file.string()), gnuplot_text(c.x),
-                         gnuplot_text(c.y), c.factor, colours[n % colours.size()], gnuplot_text(c.title));
+                         gnuplot_text(c.y), c.factor, bars, bars.empty() ? "lines" : "yerrorlines",
+                         colours[n % colours.size()], gnuplot_text(c.title));
   }
   std::array<std::vector<std::string>, 2> labels; // of each kind
   for (const StatedPoint& p : panel.points) {

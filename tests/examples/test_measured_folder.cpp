@@ -92,7 +92,7 @@ container.height = 0.2
 load.low_stress = 1e3
 load.high_stress = 1e4
 curves = ["1.csv"]
-standard_error = {modulus_Pa = 1e4, unloading_modulus_Pa = 1e4, hysteresis_J = 0.1}
+standard_error = {modulus_Pa = 1e4, first_modulus_Pa = 1e4, unloading_modulus_Pa = 1e4, settlement = 1e-3, hysteresis_J = 0.1}
 )"});
   // Up at 2e5 N/m to 707 N, down at 4e5 N/m to 71 N, up again at 3e5 N/m.
   std::string curve = "displacement_m,lid_force_N\n";

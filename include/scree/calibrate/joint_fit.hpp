@@ -2,9 +2,10 @@
 /// \file
 /// Finds any set of parameters from any set of observables at once.
 
-#include "scree/calibrate/local_response.hpp"
 #include "scree/calibrate/measured.hpp"
 #include "scree/calibrate/parameter.hpp"
+#include "scree/calibrate/posterior.hpp"
+#include "scree/calibrate/response_surface.hpp"
 #include "scree/calibrate/run_batch.hpp"
 #include "scree/core/random.hpp"
 
@@ -29,11 +30,14 @@ struct JointFitSetup {
   std::size_t first_runs = 0;  ///< over the whole space; 0: five for each parameter and five more
   std::size_t batch = 0;       ///< runs of each refinement; 0: four for each parameter
   std::size_t most_runs = 100; ///< in all
-  double first_reach = 0.6;    ///< of the local fit after the first runs, in shares of the space
+  double first_reach = 0.6;    ///< of the first refinement around the estimate, in shares of the space
   double shrink = 0.6;         ///< of the reach from one refinement to the next, in (0, 1)
   double least_signal =
       6.0;                 ///< a batch spreads so far that observables change by this many times their noise
   double confidence = 0.9; ///< of the intervals, in (0, 1)
+  /// The fit ends when the simulations' own noise makes no more than this share of each parameter's variance;
+  /// 0: all runs are spent.
+  double negligible = 0.0;
   std::vector<double>
       precision{}; ///< wanted half-widths of the intervals, in units; none: all runs are spent
   std::uint64_t seed = 1;
@@ -43,6 +47,7 @@ struct Estimate {
   double value = 0.0;
   double low = 0.0, high = 0.0; ///< interval
   bool determined = true;       ///< whether the data narrow it to less than half of its range
+  double simulated_share = 0.0; ///< of its variance, that comes from the simulations' own noise
 };
 
 struct JointFit {
@@ -56,12 +61,10 @@ struct JointFit {
   std::vector<std::string> failures{}; ///< reasons, each once
 };
 
-/// Runs the model over the whole space, then again and again around the best guess so far; in between, local
-/// polynomials through all runs near say where measured and simulated agree, weighted by both noises. It
-/// needs no derivatives, runs may be noisy, and those that fail are left out and counted.
-///
-/// The interval has the measured scatter, that of the runs through the polynomial, and a weak prior as wide
-/// as the bounds, so that it stays finite where data say nothing.
+/// Runs the model over the whole space, then again and again around the best guess so far; in between,
+/// surfaces through all runs (kriging) say where measured and simulated agree, weighted by both noises. It
+/// needs no derivatives, runs may be noisy, and those that fail are left out and counted. The intervals have
+/// the noise of both sides.
 class JointCalibration {
 public:
   /// \throws Error for a space, observable or setup that makes no sense.
@@ -87,13 +90,10 @@ public:
     require("calibration shrink", setup_.shrink, {0.1, 0.99});
     require_positive("calibration least_signal", setup_.least_signal);
     require("calibration confidence", setup_.confidence, {0.01, 0.999});
+    require("calibration negligible", setup_.negligible, {0.0, 1.0});
     if (!setup_.precision.empty() && setup_.precision.size() != p) {
       throw Error(
           message("calibration precision: ", setup_.precision.size(), " numbers for ", p, " parameters"));
-    }
-    target_.resize(static_cast<Eigen::Index>(measured_.size()));
-    for (std::size_t k = 0; k < measured_.size(); ++k) {
-      target_[static_cast<Eigen::Index>(k)] = measured_[k].mean();
     }
   }
 
@@ -101,16 +101,13 @@ public:
   JointFit fit(const RunBatch& batch) {
     Random random{setup_.seed, "calibration"};
     do_runs(spread_over_space(random), batch, random);
-    // From the middle of the space, of which a first fit with a long reach sees most.
     Eigen::VectorXd estimate = Eigen::VectorXd::Constant(dimension(), 0.5);
-    double reach = std::max(setup_.first_reach, 0.51);
-    estimate = best(local(estimate, 2.0 * reach), estimate);
-    reach = setup_.first_reach;
+    double reach = setup_.first_reach;
     while (true) {
-      const LocalResponse response = local(estimate, reach);
+      const ResponseSurface response{runs_};
       estimate = best(response, estimate);
       JointFit result = judged(response, estimate);
-      if (result.runs + setup_.batch > setup_.most_runs || precise(result)) {
+      if (result.runs + setup_.batch > setup_.most_runs || precise(result) || settled(result)) {
         return result;
       }
       reach = std::max(setup_.shrink * reach, worthwhile_reach(response, estimate));
@@ -206,55 +203,11 @@ private:
     return std::nullopt;
   }
 
-  /// With a reach that is widened until enough runs are within it.
-  [[nodiscard]] LocalResponse local(const Eigen::VectorXd& centre, double reach) const {
-    const auto wanted = static_cast<std::size_t>(2 * (dimension() + 1));
-    while (reach < 4.0 && std::count_if(runs_.begin(), runs_.end(), [&](const Run& run) {
-                            return (run.at - centre).cwiseAbs().maxCoeff() < 0.9 * reach;
-                          }) < static_cast<std::ptrdiff_t>(wanted)) {
-      reach *= 1.2;
-    }
-    return {runs_, centre, reach};
-  }
-
-  /// Covariance of measured less simulated.
-  [[nodiscard]] Eigen::MatrixXd covariance(const LocalResponse& response, const Eigen::VectorXd& at) const {
-    Eigen::MatrixXd out = response.uncertainty(at);
-    for (std::size_t k = 0; k < measured_.size(); ++k) {
-      const auto i = static_cast<Eigen::Index>(k);
-      out(i, i) += measured_[k].variance_of_mean();
-      out(i, i) += 1e-12 * std::max(1e-12, target_[i] * target_[i]); // of data without any scatter
-    }
-    return out;
-  }
-
-  /// Prior: normal, as wide as an even distribution over the bounds.
-  static constexpr double prior_precision = 12.0;
-
-  struct Posterior {
-    Eigen::MatrixXd covariance; // in shares
-    Eigen::VectorXd residual;
-    Eigen::MatrixXd slopes, weight;
-  };
-  [[nodiscard]] Posterior posterior(const LocalResponse& response, const Eigen::VectorXd& at) const {
-    Posterior out;
-    out.residual = target_ - response.predicted(at);
-    out.slopes = response.slopes(at);
-    out.weight = covariance(response, at).inverse();
-    const Eigen::MatrixXd precision = out.slopes.transpose() * out.weight * out.slopes +
-                                      prior_precision * Eigen::MatrixXd::Identity(dimension(), dimension());
-    out.covariance = precision.inverse();
-    return out;
-  }
-
-  /// Gauss and Newton on the polynomial, within the bounds.
-  [[nodiscard]] Eigen::VectorXd best(const LocalResponse& response, Eigen::VectorXd at) const {
-    const Eigen::VectorXd middle = Eigen::VectorXd::Constant(dimension(), 0.5);
+  /// Gauss and Newton on the surfaces, within the bounds.
+  [[nodiscard]] Eigen::VectorXd best(const ResponseSurface& response, Eigen::VectorXd at) const {
     for (int iteration = 0; iteration < 50; ++iteration) {
-      const Posterior p = posterior(response, at);
-      const Eigen::VectorXd step =
-          p.covariance * (p.slopes.transpose() * p.weight * p.residual + prior_precision * (middle - at));
-      const Eigen::VectorXd next = (at + step.cwiseMax(-0.2).cwiseMin(0.2)).cwiseMax(0.0).cwiseMin(1.0);
+      const Eigen::VectorXd step = Posterior{measured_, response, at}.step().cwiseMax(-0.2).cwiseMin(0.2);
+      const Eigen::VectorXd next = (at + step).cwiseMax(0.0).cwiseMin(1.0);
       const double moved = (next - at).cwiseAbs().maxCoeff();
       at = next;
       if (moved < 1e-9) {
@@ -265,14 +218,14 @@ private:
   }
 
   /// The reach below which runs would show more noise than answer.
-  [[nodiscard]] double worthwhile_reach(const LocalResponse& response, const Eigen::VectorXd& at) const {
+  [[nodiscard]] double worthwhile_reach(const ResponseSurface& response, const Eigen::VectorXd& at) const {
     const Eigen::MatrixXd slopes = response.slopes(at);
     double reach = 0.0;
     for (Eigen::Index k = 0; k < dimension(); ++k) {
       double best_signal = 0.0; // over noise, of a step of one share
       for (Eigen::Index i = 0; i < slopes.rows(); ++i) {
-        best_signal = std::max(best_signal,
-                               std::abs(slopes(i, k)) / std::sqrt(std::max(1e-300, response.noise()(i, i))));
+        best_signal =
+            std::max(best_signal, std::abs(slopes(i, k)) / std::sqrt(std::max(1e-300, response.noise()[i])));
       }
       reach =
           std::max(reach, std::min(setup_.first_reach, setup_.least_signal / std::max(1e-9, best_signal)));
@@ -280,44 +233,32 @@ private:
     return reach;
   }
 
-  [[nodiscard]] JointFit judged(const LocalResponse& response, const Eigen::VectorXd& at) const {
-    const Posterior p = posterior(response, at);
+  [[nodiscard]] JointFit judged(const ResponseSurface& response, const Eigen::VectorXd& at) const {
+    const Posterior posterior{measured_, response, at};
     JointFit out;
-    double freedom = response.freedom();
-    for (const Measured& m : measured_) {
-      freedom = std::min(freedom, m.freedom() * static_cast<double>(measured_.size()));
-    }
-    const boost::math::students_t_distribution<double> student{freedom};
-    const double width = quantile(student, 0.5 + 0.5 * setup_.confidence);
     for (Eigen::Index k = 0; k < dimension(); ++k) {
       const Parameter& parameter = space_[static_cast<std::size_t>(k)];
-      const double half = width * std::sqrt(p.covariance(k, k));
+      const boost::math::students_t_distribution<double> student{posterior.freedom(k)};
+      const double half =
+          quantile(student, 0.5 + 0.5 * setup_.confidence) * std::sqrt(posterior.covariance()(k, k));
       out.parameters.push_back({parameter.value(at[k]), parameter.value(at[k] - half),
-                                parameter.value(at[k] + half), half < 0.25});
+                                parameter.value(at[k] + half), half < 0.25, posterior.simulated_share(k)});
     }
-    const Eigen::VectorXd scale = p.covariance.diagonal().cwiseSqrt();
-    out.correlation = scale.cwiseInverse().asDiagonal() * p.covariance * scale.cwiseInverse().asDiagonal();
-    // Where the data leave more than half of the prior's variance.
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> directions{p.covariance};
-    std::vector<Eigen::Index> open;
-    for (Eigen::Index k = 0; k < dimension(); ++k) {
-      if (directions.eigenvalues()[k] * prior_precision > 0.5) {
-        open.push_back(k);
-      }
-    }
-    out.undetermined.resize(dimension(), static_cast<Eigen::Index>(open.size()));
-    for (std::size_t k = 0; k < open.size(); ++k) {
-      out.undetermined.col(static_cast<Eigen::Index>(k)) = directions.eigenvectors().col(open[k]);
-    }
-    out.misfit = p.residual.dot(p.weight * p.residual);
-    const Eigen::MatrixXd sum = covariance(response, at);
-    for (Eigen::Index i = 0; i < p.residual.size(); ++i) {
-      out.residuals.push_back(p.residual[i] / std::sqrt(sum(i, i)));
-    }
+    out.correlation = posterior.correlation();
+    out.undetermined = posterior.undetermined();
+    out.misfit = posterior.misfit();
+    const Eigen::VectorXd residuals = posterior.standardised_residuals();
+    out.residuals.assign(residuals.begin(), residuals.end());
     out.runs = asked_;
     out.failed = failed_;
     out.failures = failures_;
     return out;
+  }
+
+  /// Whether more runs would gain little.
+  [[nodiscard]] bool settled(const JointFit& fit) const {
+    return std::all_of(fit.parameters.begin(), fit.parameters.end(),
+                       [&](const Estimate& e) { return e.simulated_share <= setup_.negligible; });
   }
 
   [[nodiscard]] bool precise(const JointFit& fit) const {
@@ -335,7 +276,6 @@ private:
   std::vector<Parameter> space_;
   std::vector<Measured> measured_;
   JointFitSetup setup_;
-  Eigen::VectorXd target_;
   std::vector<Run> runs_; // those that came to an end
   std::size_t asked_ = 0, failed_ = 0;
   std::vector<std::string> failures_;

@@ -19,6 +19,9 @@ struct Measured {
   std::vector<double> replicates{}; ///< one or more
   double error = 0.0; ///< standard error of their mean, where it is known beforehand; 0: from their scatter
   bool logarithmic = false; ///< compared as its logarithm, for what answers in proportion; all above 0
+  /// Observables that name the same specimens were measured on these together and scatter together; those
+  /// that name others scatter by themselves.
+  std::string specimens{};
 
   /// \throws Error for no replicates, one without an error, or a value that cannot be compared.
   void check() const {

@@ -38,6 +38,7 @@ struct OedometerCycle {
   double slope_error = 0.0;       ///< N/m, standard error of the straight line's slope
   double modulus = 0.0;           ///< Pa, that slope as one of stress against strain
   double unloading_modulus = 0.0; ///< Pa, of the unloading between the same loads; 0 where there is none
+  double compressed = 0.0;        ///< m, displacement at the end of the loading
   double permanent = 0.0;         ///< m, displacement at the end of the unloading
   double hysteresis = 0.0;        ///< J, area between loading and unloading; 0 where there is none
 };
@@ -93,6 +94,7 @@ inline OedometerCycle oedometer_cycle(std::span<const OedometerPoint> curve, std
       work += 0.5 * (p.lid_force + before->lid_force) * (p.displacement - before->displacement);
     }
     unloaded = unloaded || !p.loading;
+    out.compressed = p.loading ? p.displacement : out.compressed;
     out.permanent = p.displacement;
     before = &p;
   }

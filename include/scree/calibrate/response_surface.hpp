@@ -1,0 +1,150 @@
+#pragma once
+/// \file
+/// How observables answer to parameters: kriging through noisy runs.
+
+#include "scree/calibrate/kriging.hpp"
+#include "scree/core/error.hpp"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace scree {
+
+/// One run: where in the parameters' shares, and what came out, as it is compared.
+struct Run {
+  Eigen::VectorXd at;
+  Eigen::VectorXd observed;
+};
+
+/// For each observable, a surface over the parameters' shares. How far it bends and how much runs scatter is
+/// averaged over many pairs of length and ratio, each counting as much as the runs speak for it, so few runs
+/// give a plane and many runs any smooth shape.
+class ResponseSurface {
+public:
+  /// \param runs at least three more than there are parameters
+  /// \throws Error for too few runs.
+  explicit ResponseSurface(const std::vector<Run>& runs) {
+    const Eigen::Index parameters = runs.empty() ? 0 : runs.front().at.size();
+    const auto n = static_cast<Eigen::Index>(runs.size());
+    if (n < parameters + 3) {
+      throw Error(
+          message("calibration: ", n, " runs came to an end, too few for ", parameters, " parameters"));
+    }
+    at_.resize(n, parameters);
+    Eigen::MatrixXd observed(n, runs.front().observed.size());
+    for (Eigen::Index r = 0; r < n; ++r) {
+      at_.row(r) = runs[static_cast<std::size_t>(r)].at.transpose();
+      observed.row(r) = runs[static_cast<std::size_t>(r)].observed.transpose();
+    }
+    const Eigen::Index m = observed.cols();
+    noise_.resize(m);
+    freedom_ = static_cast<double>(n - parameters - 1);
+    Eigen::MatrixXd left_out(n, m);
+    for (Eigen::Index k = 0; k < m; ++k) {
+      candidates_.push_back(likely(observed.col(k)));
+      noise_[k] = averaged(k, [](const Kriging& one) { return one.noise(); });
+      const double numbers = averaged(k, [](const Kriging& one) { return one.numbers(); });
+      freedom_ = std::min(freedom_, std::max(1.0, static_cast<double>(n) - numbers));
+      left_out.col(k) = candidates_.back().front().surface.left_out();
+    }
+    const Eigen::VectorXd size = left_out.colwise().norm().cwiseMax(1e-300);
+    correlation_ = (size.cwiseInverse().asDiagonal() * (left_out.transpose() * left_out) *
+                    size.cwiseInverse().asDiagonal());
+    correlation_.diagonal().setOnes();
+  }
+
+  /// Degrees of freedom of the noise.
+  [[nodiscard]] double freedom() const { return freedom_; }
+  /// Variance of each observable in single runs.
+  [[nodiscard]] const Eigen::VectorXd& noise() const { return noise_; }
+  /// Between the observables of single runs.
+  [[nodiscard]] const Eigen::MatrixXd& correlation() const { return correlation_; }
+
+  /// Means of the observables, and the variances of these means.
+  struct Prediction {
+    Eigen::VectorXd mean, variance;
+  };
+  [[nodiscard]] Prediction predicted(const Eigen::VectorXd& at) const {
+    const auto m = static_cast<Eigen::Index>(candidates_.size());
+    Prediction out{Eigen::VectorXd::Zero(m), Eigen::VectorXd::Zero(m)};
+    for (Eigen::Index k = 0; k < m; ++k) {
+      double square = 0.0;
+      for (const Candidate& c : candidates_[static_cast<std::size_t>(k)]) {
+        const auto [mean, variance] = c.surface.predicted(at_, at);
+        out.mean[k] += c.weight * mean;
+        square += c.weight * mean * mean;
+        out.variance[k] += c.weight * variance;
+      }
+      out.variance[k] += std::max(0.0, square - out.mean[k] * out.mean[k]);
+    }
+    return out;
+  }
+  /// Observables by parameters: change per share.
+  [[nodiscard]] Eigen::MatrixXd slopes(const Eigen::VectorXd& at) const {
+    Eigen::MatrixXd out(static_cast<Eigen::Index>(candidates_.size()), at.size());
+    constexpr double step = 0.02; // small beside the shortest length
+    for (Eigen::Index k = 0; k < at.size(); ++k) {
+      Eigen::VectorXd ahead = at, behind = at;
+      ahead[k] += step;
+      behind[k] -= step;
+      out.col(k) = (predicted(ahead).mean - predicted(behind).mean) / (2.0 * step);
+    }
+    return out;
+  }
+
+private:
+  struct Candidate {
+    Kriging surface;
+    double weight;
+  };
+
+  /// The surfaces that the runs speak for, the best first, with weights that sum to 1.
+  [[nodiscard]] std::vector<Candidate> likely(const Eigen::VectorXd& observed) const {
+    static constexpr std::array lengths{0.4, 0.8, 1.6};
+    static constexpr std::array ratios{0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 64.0, 256.0};
+    std::vector<Candidate> out{{Kriging{at_, observed, 1.0, 0.0}, 0.0}}; // a plane
+    for (const double length : lengths) {
+      for (const double ratio : ratios) {
+        out.push_back({Kriging{at_, observed, length, ratio}, 0.0});
+      }
+    }
+    const auto better = [](const Candidate& a, const Candidate& b) {
+      return a.surface.log_likelihood() > b.surface.log_likelihood();
+    };
+    std::stable_sort(out.begin(), out.end(), better);
+    const double most = out.front().surface.log_likelihood();
+    const auto unlikely = [most](const Candidate& c) { return c.surface.log_likelihood() < most - 5.0; };
+    out.erase(std::find_if(out.begin(), out.end(), unlikely), out.end());
+    double sum = 0.0;
+    for (Candidate& c : out) {
+      c.weight = std::exp(c.surface.log_likelihood() - most);
+      sum += c.weight;
+    }
+    for (Candidate& c : out) {
+      c.weight /= sum;
+    }
+    return out;
+  }
+
+  template <class Of>
+  [[nodiscard]] double averaged(Eigen::Index observable, Of of) const {
+    double sum = 0.0;
+    for (const Candidate& c : candidates_[static_cast<std::size_t>(observable)]) {
+      sum += c.weight * of(c.surface);
+    }
+    return sum;
+  }
+
+  Eigen::MatrixXd at_; // a row for each run
+  std::vector<std::vector<Candidate>> candidates_;
+  Eigen::VectorXd noise_;
+  Eigen::MatrixXd correlation_;
+  double freedom_ = 1.0;
+};
+
+} // namespace scree
