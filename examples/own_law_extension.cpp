@@ -12,7 +12,7 @@ using namespace scree;
 /// Pulls two grains together with a constant force while they touch, as a film of water between them does. No
 /// force below `pull` parts them, and a sliding contact feels friction under the load that is left. With a
 /// pull of 0 the law that it extends is unchanged to the bit.
-struct Adhesion {
+struct WaterFilm {
   double pull = 0.0; ///< N, 0 or above
 
   static constexpr int history_size = 0; // remembers nothing of a contact
@@ -20,19 +20,19 @@ struct Adhesion {
 
   /// Called with the normal force of the law [N], before the friction limit is taken from it.
   template <class T>
-  T normal(const PairMaterial<T>&, const Kinematics<T>&, T normal_force, std::span<T, 0>) const {
+  T normal(const PairMaterial<T>&, const Kinematics<T>&, T normal_force, std::span<T, 0>, T&) const {
     return normal_force - T(pull);
   }
 };
 
 struct WetGrains : DefaultModel {
-  using Contact = LinearSpring<Adhesion>;
+  using Contact = LinearSpring<WaterFilm>;
 };
 
 int main() {
   // A plate holds a ball with 0.5 N, and gravity lifts the ball ever harder until it comes off.
   const double pull = 0.5;
-  const WetGrains::Contact law{Adhesion{.pull = pull}};
+  const WetGrains::Contact law{WaterFilm{.pull = pull}};
   Simulation<WetGrains> sim{{.contact = law, .gravity = Vector::Zero()}};
   const auto rock = sim.add_material({.normal_stiffness = 1e5, .shear_stiffness = 1e5, .restitution = 0.3});
   const Clump ball = make_clump("ball", std::vector<Sphere>{{Vector::Zero(), 0.01}});

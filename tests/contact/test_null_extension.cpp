@@ -3,7 +3,12 @@
 
 #include "support/models.hpp"
 
+#include "scree/contact/adhesion.hpp"
+#include "scree/contact/attrition.hpp"
 #include "scree/contact/hertz_mindlin.hpp"
+#include "scree/contact/normal_exponent.hpp"
+#include "scree/contact/normal_hysteresis.hpp"
+#include "scree/contact/rate_friction.hpp"
 #include "scree/contact/rolling_resistance.hpp"
 #include "scree/core/random.hpp"
 #include "scree/simulation/simulation.hpp"
@@ -20,8 +25,8 @@ namespace {
 
 /// Bits of the motion of 54 spheres and rods that fall into a box and collide, at several times.
 template <class Law>
-std::vector<std::uint64_t> bits(double rolling_friction) {
-  Simulation<test::ModelOf<Law>> sim{{.time_step = 2e-5}};
+std::vector<std::uint64_t> bits(double rolling_friction, const Law& law = Law{}) {
+  Simulation<test::ModelOf<Law>> sim{{.contact = law, .time_step = 2e-5}};
   const auto rock = sim.add_material({.normal_stiffness = 2e4,
                                       .shear_stiffness = 2e4,
                                       .youngs_modulus = 2e7,
@@ -73,4 +78,21 @@ TEST_CASE("physics: rolling resistance of zero is the base law to the bit") {
   CHECK(bits<HertzMindlin<>>(0.0) == bits<HertzMindlin<RollingResistance>>(0.0));
   // The comparison can fail.
   CHECK(bits<LinearSpring<>>(0.0) != bits<LinearSpring<RollingResistance>>(0.01));
+}
+
+TEST_CASE("physics: all extensions together are the base law to the bit where each is null") {
+  using Extended =
+      LinearSpring<NormalExponent, NormalHysteresis, Adhesion, RateFriction, Attrition, RollingResistance>;
+  const auto base = bits<LinearSpring<>>(0.0);
+  CHECK(base == bits<Extended>(0.0));
+  // Each makes a difference.
+  const auto with = [](const auto& exponent, const auto& hysteresis, const auto& adhesion, const auto& rate,
+                       const auto& attrition) {
+    return bits(0.0, Extended{exponent, hysteresis, adhesion, rate, attrition, RollingResistance{}});
+  };
+  CHECK(base != with(NormalExponent{1.2}, NormalHysteresis{}, Adhesion{}, RateFriction{}, Attrition{}));
+  CHECK(base != with(NormalExponent{}, NormalHysteresis{1.2}, Adhesion{}, RateFriction{}, Attrition{}));
+  CHECK(base != with(NormalExponent{}, NormalHysteresis{}, Adhesion{0.1}, RateFriction{}, Attrition{}));
+  CHECK(base != with(NormalExponent{}, NormalHysteresis{}, Adhesion{}, RateFriction{0.1}, Attrition{}));
+  CHECK(base != with(NormalExponent{}, NormalHysteresis{}, Adhesion{}, RateFriction{}, Attrition{10.0}));
 }

@@ -19,20 +19,20 @@ using test::relative_error;
 namespace {
 
 /// Touching bodies pull on each other with a constant force.
-struct Adhesion {
+struct WaterFilm {
   static constexpr int history_size = 0;
   static constexpr std::array<int, 0> history_parity{};
 
   double pull = 0.0; ///< N
 
   template <class T>
-  T normal(const PairMaterial<T>&, const Kinematics<T>&, T normal_force, std::span<T, 0>) const {
+  T normal(const PairMaterial<T>&, const Kinematics<T>&, T normal_force, std::span<T, 0>, T&) const {
     return normal_force - static_cast<T>(pull);
   }
 };
 
 struct Sticky : DefaultModel {
-  using Contact = LinearSpring<Adhesion>;
+  using Contact = LinearSpring<WaterFilm>;
 };
 
 constexpr double radius = 0.01, gravity = 9.81, stiffness = 1e5;
@@ -44,7 +44,7 @@ Material material() {
 /// m, below a ceiling after half a second, of a sphere that was pressed against it by `overlap`.
 double depth_below_ceiling(double pull) {
   const Clump ball = make_clump("ball", std::vector<Sphere>{{Vector::Zero(), radius}});
-  Simulation<Sticky> sim{{.contact = LinearSpring<Adhesion>{Adhesion{pull}}, .time_step = 1e-5}};
+  Simulation<Sticky> sim{{.contact = LinearSpring<WaterFilm>{WaterFilm{pull}}, .time_step = 1e-5}};
   const auto rock = sim.add_material(material());
   sim.add_wall(
       {.name = "ceiling", .surfaces = {{Plane{.normal = -Vector::UnitZ()}, rock}}, .dynamics = Fixed{}});
@@ -57,8 +57,8 @@ double depth_below_ceiling(double pull) {
 
 } // namespace
 
-static_assert(LawExtension<Adhesion> && ContactLaw<LinearSpring<Adhesion>> &&
-              ContactLaw<HertzMindlin<Adhesion>, float>);
+static_assert(LawExtension<WaterFilm> && ContactLaw<LinearSpring<WaterFilm>> &&
+              ContactLaw<HertzMindlin<WaterFilm>, float>);
 
 TEST_CASE("physics: a sphere hangs from a ceiling whose adhesion exceeds its weight") {
   const double weight = 2650.0 * 4.0 / 3.0 * std::acos(-1.0) * radius * radius * radius * gravity;
@@ -70,8 +70,8 @@ TEST_CASE("physics: a sphere hangs from a ceiling whose adhesion exceeds its wei
 
 TEST_CASE("an extension changes the normal force before the friction limit is taken from it") {
   const double pull = 0.5;
-  const LinearSpring<Adhesion> law{Adhesion{pull}};
-  CHECK(law.extension<Adhesion>().pull == pull);
+  const LinearSpring<WaterFilm> law{WaterFilm{pull}};
+  CHECK(law.extension<WaterFilm>().pull == pull);
   const auto pair = mix(material(), material(), Stiffness::of_particle);
   Kinematics<double> k{};
   k.normal = {0, 0, 1};
@@ -105,7 +105,7 @@ TEST_CASE("an extension of null strength leaves the force as it is, to the bit")
     k.root_mass = 0.1;
     k.dt = 1e-5;
     const auto f = LinearSpring<>{}.evaluate(pair, k, a);
-    const auto g = LinearSpring<Adhesion>{}.evaluate(pair, k, b);
+    const auto g = LinearSpring<WaterFilm>{}.evaluate(pair, k, b);
     REQUIRE(f.normal == g.normal);
     REQUIRE(f.tangential == g.tangential);
     REQUIRE(a == b);

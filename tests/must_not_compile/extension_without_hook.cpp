@@ -1,14 +1,9 @@
-// expect: error: .*scree: an extension of a contact law has neither normal
+// expect: error: .*scree: an extension of a contact law has none of normal, friction and couple
 #include "scree/simulation/simulation.hpp"
 
 struct Extension {
   static constexpr int history_size = 0;
   static constexpr std::array<int, 0> history_parity{};
-
-  template <class T>
-  T normal(const scree::PairMaterial<T>&, const scree::Kinematics<T>&, T force) const { // lacks the history
-    return force;
-  }
 };
 
 struct Model : scree::DefaultModel {

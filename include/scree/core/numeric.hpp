@@ -39,6 +39,12 @@ T cosine(T a) {
   return std::cos(a);
 }
 
+/// `a` 0 or above.
+template <std::floating_point T>
+T power(T a, double exponent) {
+  return static_cast<T>(std::pow(static_cast<double>(a), exponent));
+}
+
 template <std::floating_point T>
 constexpr T reciprocal(T a) {
   return T{1} / a;

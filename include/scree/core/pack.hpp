@@ -186,6 +186,9 @@ public:
   friend Pack cosine(const Pack& a) {
     return generated([&](std::size_t lane) { return std::cos(a[lane]); });
   }
+  friend Pack power(const Pack& a, double exponent) {
+    return generated([&](std::size_t lane) { return scree::power(a[lane], exponent); });
+  }
   friend Pack reciprocal(const Pack& a) {
     if constexpr (detail::has_estimates) {
       Pack y{detail::reciprocal_estimate(a.lanes_)};

@@ -47,6 +47,7 @@ public:
   }
   friend Twin larger(const Twin& x, const Twin& y) { return {larger(x.a, y.a), larger(x.b, y.b)}; }
   friend Twin square_root(const Twin& x) { return {square_root(x.a), square_root(x.b)}; }
+  friend Twin power(const Twin& x, double exponent) { return {power(x.a, exponent), power(x.b, exponent)}; }
   friend Twin reciprocal(const Twin& x) { return {reciprocal(x.a), reciprocal(x.b)}; }
   friend Twin reciprocal_square_root(const Twin& x) {
     return {reciprocal_square_root(x.a), reciprocal_square_root(x.b)};
