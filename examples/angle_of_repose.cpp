@@ -1,5 +1,5 @@
 /// \brief Angle of repose of rock: a heap below a funnel or of a lifted cylinder (Coetzee et al. 2010, section 4.5).
-/// \smoke --heap.method lifted_cylinder --rock.size_factor 1.8 --tube.radius 0.15 --tube.height 0.18 --tube.lift_speed 1
+/// \smoke --heap.method lifted_cylinder --rock.size_factor 1.8 --tube.radius 0.17 --tube.height 0.18 --tube.lift_speed 1
 
 #include "laboratory/program.hpp"
 

@@ -1,5 +1,5 @@
 /// \brief A dragline bucket on two ropes digs a metre through a bed of crushed rock (Coetzee, Els & Dymond 2010).
-/// \smoke --rock.size_factor 3 --bed.length 0.8 --bed.width 0.4 --bed.depth 0.2 --bed.rest 0.3 --rig.bucket_start 0.1 --rig.drag_distance 0.05
+/// \smoke --rock.size_factor 3 --bed.length 0.8 --bed.width 0.4 --bed.depth 0.2 --bed.unbalanced 0.3 --rig.bucket_start 0.1 --rig.drag_distance 0.05
 
 #include "parameters.hpp"
 #include "record.hpp"
@@ -118,8 +118,8 @@ private:
         rig.simulation().time_step());
     if (!bed.at_rest) {
       fmt::print("bed: not at rest within bed.patience = {} s: unbalanced force ratio {:.2g}, {:.2g} of the "
-                 "grains faster than bed.rest_speed\n",
-                 p_.setup.bed.patience, bed.unbalanced, bed.moving);
+                 "grains faster than bed.speed\n",
+                 p_.setup.bed.rest.patience, bed.unbalanced, bed.moving);
     }
   }
 

@@ -5,6 +5,7 @@
 #include "scree/geometry/dragline_bucket.hpp"
 #include "scree/laboratory/drag_setup.hpp"
 #include "support/options.hpp"
+#include "support/recipe_options.hpp"
 #include "support/rock_options.hpp"
 
 #include <cstdint>
@@ -82,17 +83,7 @@ inline void bind(Options& options, Parameters& p) {
   options.add("bed.shaped", s.shaped_bed, "floor shaped along the path of the bucket, not a box",
               Provenance::paper);
   options.add("bed.drag_angle", s.drag_angle, {-1.2, 1.2, "rad"}, "by which the bed rises towards the winch");
-  options.add("bed.porosity", s.bed.porosity, {0.0, 0.95}, "to reach; 0: as poured");
-  options.add("bed.porosity_tolerance", s.bed.porosity_tolerance, {1e-5, 0.1}, "of the requested porosity");
-  options.add("bed.surplus", s.bed.surplus, {0.001, 2.0},
-              "poured beyond the brim and struck off, of the volume");
-  options.add("bed.expected_porosity", s.bed.expected_porosity, {0.05, 0.95}, "for how much to pour");
-  options.add("bed.settling_damping", s.bed.settling_damping, {0.0, 0.99}, "local, while the bed is made");
-  options.add("bed.rest", s.bed.rest, {1e-6, 1.0},
-              "mean unbalanced over mean contact force that counts as rest");
-  options.add("bed.rest_speed", s.bed.rest_speed, {1e-6, 10.0, "m/s"}, "above which a grain moves");
-  options.add("bed.rest_share", s.bed.rest_share, {0.0, 1.0}, "of grains that may move in a bed at rest");
-  options.add("bed.patience", s.bed.patience, {1e-3, 1e3, "s"}, "simulated, at most for each stage");
+  scree::examples::bind_bed(options, s.bed);
 
   options.group("Bucket: its shape");
   scree::DraglineBucket& b = p.bucket;

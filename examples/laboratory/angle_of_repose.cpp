@@ -1,4 +1,5 @@
 #include "laboratory/experiment.hpp"
+#include "support/recipe_options.hpp"
 
 #include "scree/io/csv.hpp"
 #include "scree/laboratory/heap.hpp"
@@ -57,6 +58,8 @@ public:
     options.add("heap.flank_from", setup_.flank.from, {0.0, 0.9},
                 "share of the height at which the flank begins");
     options.add("heap.flank_to", setup_.flank.to, {0.1, 1.0}, "and ends");
+    options.add("heap.flank_spacing", setup_.flank.spacing, {0.01, 10.0},
+                "of the points along a flank, in mean radii of the spheres");
     options.add("heap.plate_friction", setup_.plate_friction, {0.0, 10.0}, "a pair takes the smaller");
     options.group("Funnel");
     options.add("funnel.outlet", setup_.funnel.outlet, {1e-3, 100.0, "m"}, "radius of the lower end");
@@ -68,6 +71,9 @@ public:
     options.add("tube.radius", setup_.tube.radius, {1e-3, 100.0, "m"}, "of the lifted cylinder");
     options.add("tube.height", setup_.tube.height, {1e-3, 100.0, "m"}, "to which it is filled");
     options.add("tube.lift_speed", setup_.lift_speed, {1e-6, 100.0, "m/s"}, "at which it is drawn up");
+    bind_fill(options, setup_.fill);
+    options.group("Heap at rest");
+    bind_rest(options, "rest", setup_.rest);
   }
   std::vector<Observable> observables() const override { return {{"angle_deg", false}}; }
   CurveFile curve() const override {
@@ -95,6 +101,8 @@ public:
     summary["grains"] = r.grains;
     summary["mass_kg"] = r.mass;
     summary["flow_time_s"] = r.flow_time;
+    summary["unbalanced"] = r.unrest.unbalanced;
+    summary["moving"] = r.unrest.moving;
     bench.plot(
         "heap", bench.title("Angle of repose"),
         {{"Profile",

@@ -1,4 +1,5 @@
 #include "laboratory/experiment.hpp"
+#include "support/recipe_options.hpp"
 
 #include "scree/io/csv.hpp"
 #include "scree/laboratory/bulk_density.hpp"
@@ -22,7 +23,7 @@ class BulkDensity final : public Experiment {
 public:
   explicit BulkDensity(bool desk) {
     if (desk) {
-      setup_.container = {.radius = 0.15, .height = 0.15};
+      setup_ = desk_bulk_density();
     }
   }
 
@@ -31,6 +32,7 @@ public:
     options.add("container.radius", setup_.container.radius, {0.001, 100.0, "m"}, "of the tube");
     options.add("container.height", setup_.container.height, {0.001, 100.0, "m"}, "to the brim");
     options.add("container.slices", setup_.slices, {1.0, 1e4}, "of the density's profile");
+    bind_fill(options, setup_.fill);
   }
   std::vector<Observable> observables() const override { return {{"bulk_density_kg_m3"}}; }
   CurveFile curve() const override {
@@ -57,7 +59,7 @@ public:
     summary["bulk_density_kg_m3"] = r.bulk_density;
     summary["mass_kg"] = r.mass;
     summary["porosity"] = r.porosity;
-    summary["grains"] = r.fill.kept;
+    summarise_fill(summary, r.fill);
     bench.plot("density", bench.title("Bulk density"),
                {{"Density over the height",
                  "height above the floor, m",

@@ -1,10 +1,14 @@
 #include "laboratory/experiment.hpp"
+#include "support/recipe_options.hpp"
 
 #include "scree/io/csv.hpp"
 #include "scree/laboratory/oedometer.hpp"
 #include "scree/laboratory/oedometer_branches.hpp"
 
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
 
 namespace scree::examples {
 
@@ -21,21 +25,14 @@ void write_curve(const std::filesystem::path& folder, const OedometerResult& r, 
   }
 }
 
-/// The last cycle with an unloading; all zero where there is none.
-OedometerCycle last_unloaded(const std::vector<OedometerCycle>& cycles) {
-  for (auto c = cycles.rbegin(); c != cycles.rend(); ++c) {
-    if (c->unloading_modulus > 0.0) {
-      return *c;
-    }
-  }
-  return {};
-}
-
-/// In the order of the observables.
+/// In the order of the observables; not a number where there is no unloading.
 std::vector<double> observables_of(const std::vector<OedometerCycle>& cycles, double height) {
-  const OedometerCycle full = last_unloaded(cycles);
-  return {cycles.back().modulus, cycles.front().modulus, full.unloading_modulus,
-          cycles.front().compressed / height, full.hysteresis};
+  const auto full =
+      std::find_if(cycles.rbegin(), cycles.rend(), [](const OedometerCycle& c) { return c.unloaded; });
+  const bool any = full != cycles.rend();
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  return {cycles.back().modulus, cycles.front().modulus, any ? full->unloading_modulus : none,
+          cycles.front().compressed / height, any ? full->hysteresis : none};
 }
 
 class OedometerExperiment final : public Experiment {
@@ -61,10 +58,18 @@ public:
     options.add("load.high_stress", setup_.high_stress, {1e-3, 1e12, "Pa"}, "at the end of loading");
     options.add("load.cycles", setup_.cycles, {1.0, 1000.0}, "loadings");
     options.add("load.strain_rate", setup_.strain_rate, {1e-9, 1e3, "1/s"}, "of the lid");
+    options.add("load.most_inertial_number", setup_.most_inertial_number, {1e-9, 1e3},
+                "above which it is refused, as not quasi-static");
+    options.add("load.approach", setup_.approach, {1.0, 1e3},
+                "times as fast the lid comes down to the grains");
     options.add("load.slope_from", setup_.slope_from, {0.0, 1.0},
                 "share of the way to high load at which the slope begins");
     options.add("load.slope_to", setup_.slope_to, {0.0, 1.0}, "and ends");
     options.add("load.points", setup_.points, {10.0, 1e6}, "of the curve, in each branch");
+    options.add(
+        "curve.height", measured_height_, {0.0, 100.0, "m"},
+        "of the specimen when it carried the low load first, for measured curves; 0: the container's");
+    bind_fill(options, setup_.fill);
   }
   std::vector<Observable> observables() const override {
     return {{"modulus_Pa"}, {"first_modulus_Pa"}, {"unloading_modulus_Pa"}, {"settlement"}, {"hysteresis_J"}};
@@ -84,11 +89,22 @@ public:
   std::vector<double> reduce(const CsvTable& curve) const override {
     const double area = setup_.container.area(), low = setup_.low_stress * area,
                  range = setup_.high_stress * area - low;
-    const auto rows =
+    const auto all =
         oedometer_branches(curve.column("displacement_m"), curve.column("lid_force_N"), 0.2 * range);
+    // Zero where the low load is carried first, as in the simulation.
+    const auto begin =
+        std::find_if(all.begin(), all.end(), [&](const auto& p) { return p.lid_force >= low; });
+    if (begin == all.end()) {
+      throw Error(message(curve.file.string(), ": the force never reaches the low load of ", low, " N"));
+    }
+    std::vector<OedometerPoint> rows{begin, all.end()};
+    const double zero = begin->displacement;
+    for (OedometerPoint& p : rows) {
+      p.displacement -= zero;
+    }
     const SlopeWindow window{.low_force = low + setup_.slope_from * range,
                              .high_force = low + setup_.slope_to * range,
-                             .height = setup_.container.height,
+                             .height = measured_height_ > 0.0 ? measured_height_ : setup_.container.height,
                              .area = area};
     std::vector<OedometerCycle> cycles;
     for (std::size_t c = 0; c <= rows.back().cycle; ++c) {
@@ -114,13 +130,21 @@ public:
     summary["grains"] = r.fill.kept;
     summary["bulk_density_kg_m3"] = r.fill.bulk_density;
     for (const OedometerCycle& c : r.cycles) {
-      summary["cycles"].push_back({{"slope_N_m", c.slope},
-                                   {"slope_standard_error_N_m", c.slope_error},
-                                   {"modulus_Pa", c.modulus},
-                                   {"unloading_modulus_Pa", c.unloading_modulus},
-                                   {"permanent_m", c.permanent},
-                                   {"hysteresis_J", c.hysteresis}});
+      auto& of_cycle = summary["cycles"].emplace_back();
+      of_cycle = {{"slope_N_m", c.slope},
+                  {"slope_standard_error_N_m", c.slope_error},
+                  {"modulus_Pa", c.modulus},
+                  {"compressed_m", c.compressed}};
+      if (c.unloaded) {
+        of_cycle["unloading_modulus_Pa"] = c.unloading_modulus;
+        of_cycle["permanent_m"] = c.permanent;
+        of_cycle["hysteresis_J"] = c.hysteresis;
+      }
     }
+    if (r.cycles.size() > 1) {
+      summary["last_change_of_modulus"] = r.modulus / r.cycles[r.cycles.size() - 2].modulus - 1.0;
+    }
+    summarise_fill(summary, r.fill);
     bench.plot(
         "oedometer", bench.title("Confined compression"),
         {{"Load on the lid",
@@ -148,6 +172,7 @@ public:
 
 private:
   OedometerSetup setup_;
+  double measured_height_ = 0.0;
 };
 
 } // namespace

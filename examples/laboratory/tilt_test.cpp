@@ -1,4 +1,5 @@
 #include "laboratory/experiment.hpp"
+#include "support/recipe_options.hpp"
 
 #include "scree/io/csv.hpp"
 #include "scree/laboratory/tilt_test.hpp"
@@ -6,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace scree::examples {
 
@@ -31,9 +33,12 @@ void write_tables(const std::filesystem::path& folder, const TiltTestResult& r, 
 }
 
 void summarise(nlohmann::ordered_json& summary, const TiltTestResult& r, bool single) {
-  summary["angle_deg"] = r.angle;
-  summary["failure_angle_deg"] = r.failure_angle;
   summary["failed"] = r.failed;
+  // Of a layer that holds there is no angle; of rocks it is that of those that moved.
+  if (r.failure_angle > 0.0) {
+    summary["angle_deg"] = r.angle;
+    summary["failure_angle_deg"] = r.failure_angle;
+  }
   summary["unbalanced_before"] = r.unrest.unbalanced;
   summary["moving_before"] = r.unrest.moving;
   if (!single) {
@@ -46,7 +51,9 @@ void summarise(nlohmann::ordered_json& summary, const TiltTestResult& r, bool si
   summary["angle_standard_error_deg"] = r.error;
   summary["angle_standard_deviation_deg"] = r.spread;
   summary["angle_median_deg"] = r.median;
-  summary["angle_of_those_that_slid_deg"] = r.slid_angle;
+  if (r.slid > 0) {
+    summary["slid_angle_deg"] = r.slid_angle;
+  }
   summary["slid"] = r.slid;
   summary["rolled"] = r.rolled;
   summary["held"] = r.held;
@@ -106,9 +113,12 @@ public:
     options.add("tray.width", setup_.tray.width, {1e-3, 100.0, "m"}, "across it");
     options.add("tray.depth", setup_.tray.depth, {1e-3, 100.0, "m"}, "to the brim");
     options.add("tray.rough", setup_.tray.rough, "whether the grains on the floor are held there");
+    bind_bed(options, setup_.bed);
+    options.group("At rest before it is tilted");
+    bind_rest(options, "rest", setup_.rest);
   }
   std::vector<Observable> observables() const override {
-    return {{"angle_deg", false}, {"failure_angle_deg", false}};
+    return {{"angle_deg", false}, {"failure_angle_deg", false}, {"slid_angle_deg", false}};
   }
   CurveFile curve() const override {
     return {"tilt_test.csv", "angle_deg", "share_moved", "Share that has moved", "angle, degrees", ""};
@@ -120,7 +130,14 @@ public:
     if (!folder.empty()) {
       write_tables(folder, r, single());
     }
-    return {r.angle, r.failure_angle};
+    // A mean without those that hold would be too low.
+    if (!r.failed) {
+      throw Error(single()
+                      ? message("tilt test: ", r.held, " of ", r.slid + r.rolled + r.held,
+                                " rocks hold up to steepest = ", setup_.steepest, " degrees")
+                      : message("tilt test: the layer holds up to steepest = ", setup_.steepest, " degrees"));
+    }
+    return {r.angle, r.failure_angle, r.slid > 0 ? r.slid_angle : std::numeric_limits<double>::quiet_NaN()};
   }
   void show(Workbench& bench) const override {
     TiltTest<> test{prepared(detail::conditions_of(bench)), {.step_safety = bench.step_safety()}};
@@ -133,7 +150,7 @@ public:
                  "angle, degrees",
                  "",
                  {{"tilt_test.csv", "angle_deg", "share_moved", single() ? "rocks" : "upper half"}}},
-                {"Mean displacement",
+                {single() ? "Mean displacement" : "Median displacement",
                  "angle, degrees",
                  "m",
                  {{"tilt_test.csv", "angle_deg", "displacement_m", single() ? "rocks" : "upper half"}}}});

@@ -88,7 +88,8 @@ least = 1e4
 most = 1e6
 [experiments.oedometer]
 container.radius = 0.15
-container.height = 0.2
+container.height = 0.25
+curve.height = 0.2
 load.low_stress = 1e3
 load.high_stress = 1e4
 curves = ["1.csv"]
@@ -98,8 +99,10 @@ standard_error = {modulus_Pa = 1e4, first_modulus_Pa = 1e4, unloading_modulus_Pa
   std::string curve = "displacement_m,lid_force_N\n";
   const double low = 71.0, high = 707.0;
   const auto row = [&](double displacement, double force) {
-    curve += message(displacement, ",", force, "\n");
+    curve += message(displacement + 0.003, ",", force, "\n");
   };
+  row(-0.003, 0.0); // the lid finds its seat
+  row(-0.001, 10.0);
   for (int k = 0; k <= 50; ++k) {
     const double f = low + (high - low) * k / 50;
     row((f - low) / 2e5, f);
@@ -117,9 +120,11 @@ standard_error = {modulus_Pa = 1e4, first_modulus_Pa = 1e4, unloading_modulus_Pa
   const auto& measured = plan.experiments.at(0).measured;
   const double to_modulus = 0.2 / (3.141592653589793 * 0.15 * 0.15);
   CHECK(measured.at(0).replicates.at(0) == doctest::Approx(3e5 * to_modulus).epsilon(1e-4));
-  CHECK(measured.at(1).replicates.at(0) == doctest::Approx(4e5 * to_modulus).epsilon(1e-4));
-  CHECK(measured.at(2).replicates.at(0) ==
-        doctest::Approx(0.5 * (high + low) * (high - low) / 4e5).epsilon(1e-3));
+  const double range = high - low;
+  CHECK(measured.at(1).replicates.at(0) == doctest::Approx(2e5 * to_modulus).epsilon(1e-4));
+  CHECK(measured.at(2).replicates.at(0) == doctest::Approx(4e5 * to_modulus).epsilon(1e-4));
+  CHECK(measured.at(3).replicates.at(0) == doctest::Approx(range / 2e5 / 0.2).epsilon(1e-4));
+  CHECK(measured.at(4).replicates.at(0) == doctest::Approx(0.5 * range * range / 4e5).epsilon(1e-3));
 }
 
 TEST_CASE("a fault in a folder of measurements is told by file and line") {

@@ -37,7 +37,7 @@ DragSetup small_drag() {
   return s;
 }
 
-/// What a drag comes to: mean force [N], pitch at the end [degrees], mass in the bucket [kg].
+/// What a drag comes to: mean force [N], pitch [degrees] and depth [m] at the end.
 template <class Model>
 std::array<double, 3> dragged(std::uint64_t seed) {
   DragSetup setup = small_drag();
@@ -55,12 +55,12 @@ std::array<double, 3> dragged(std::uint64_t seed) {
     force += sample.force;
     ++samples;
   }
-  return {force / samples, sample.attitude.pitch * 180.0 / std::numbers::pi, sample.fill.heaped};
+  return {force / samples, sample.attitude.pitch * 180.0 / std::numbers::pi, sample.depth};
 }
 
 } // namespace
 
-TEST_CASE("physics: a drag in float gives the force, pitch and mass that it gives in double") {
+TEST_CASE("physics: a drag in float gives the force, pitch and depth that it gives in double") {
   // Grains that push past each other soon differ by all they can, whatever the number type: another type is
   // another seed, and only means can be compared.
   std::array<std::vector<double>, 3> exact, coarse;
@@ -75,7 +75,7 @@ TEST_CASE("physics: a drag in float gives the force, pitch and mass that it give
   for (std::size_t k = 0; k < 3; ++k) {
     const validation::Mean a{exact[k]}, b{coarse[k]};
     const double error = std::hypot(a.error, b.error);
-    MESSAGE(std::array<std::string, 3>{"force [N]", "pitch [degrees]", "mass [kg]"}.at(k)
+    MESSAGE(std::array<std::string, 3>{"force [N]", "pitch [degrees]", "depth [m]"}.at(k)
             << ": " << a.value << " in double, " << b.value << " in float, standard error of the difference "
             << error);
     CHECK(std::abs(a.value - b.value) < student * error);

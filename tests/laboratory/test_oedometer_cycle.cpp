@@ -35,8 +35,10 @@ TEST_CASE("a cycle of straight lines has their slopes, and the area between them
   CHECK(c.modulus == doctest::Approx(2e4 * 0.2 / 0.1));
   CHECK(c.unloading_modulus == doctest::Approx(5e4 * 0.2 / 0.1));
   CHECK(c.permanent == doctest::Approx(100.0 / 2e4 - 100.0 / 5e4));
-  // Means of 60 N over both ways.
-  CHECK(c.hysteresis == doctest::Approx(60.0 * c.permanent));
+  CHECK(c.compressed == doctest::Approx(100.0 / 2e4));
+  // A triangle 100 N high.
+  CHECK(c.unloaded);
+  CHECK(c.hysteresis == doctest::Approx(0.5 * 100.0 * c.permanent));
 }
 
 TEST_CASE("a cycle without an unloading has no hysteresis, and one without rows is refused") {
@@ -44,8 +46,10 @@ TEST_CASE("a cycle without an unloading has no hysteresis, and one without rows 
   curve.resize(101);
   const SlopeWindow window{.low_force = 30.0, .high_force = 90.0, .height = 0.2, .area = 0.1};
   const OedometerCycle c = oedometer_cycle(curve, 1, window);
+  CHECK_FALSE(c.unloaded);
   CHECK(c.hysteresis == 0.0);
-  CHECK(c.unloading_modulus == 0.0);
+  CHECK(c.permanent == 0.0);
+  CHECK(c.compressed == doctest::Approx(100.0 / 2e4));
   CHECK_THROWS_WITH_AS(oedometer_cycle(curve, 0, window), doctest::Contains("loading 1 has 0 points"), Error);
 }
 

@@ -51,14 +51,14 @@ TEST_CASE("physics: a bed comes to rest, struck off at its brim, the same for th
   CHECK(made.report.porosity < 0.55);
   CHECK(made.report.kept < made.report.poured);
   // For this a bed needs no rest.
-  const BedRecipe restless{.rest = 1.0, .rest_share = 1.0};
+  const BedRecipe restless{.rest = {.unbalanced = 1.0, .moving = 1.0}};
   const Made once = small_bed(restless, 3);
   CHECK(small_bed(restless, 3).hash == once.hash);
   CHECK(small_bed(restless, 4).hash != once.hash);
 }
 
 TEST_CASE("physics: a requested porosity is reached within what the material allows") {
-  const BedRecipe as_poured{.rest_share = 0.01};
+  const BedRecipe as_poured{.rest = {.moving = 0.01}};
   const BedReport loose = small_bed(as_poured, 3).report;
   const double requested = loose.porosity - 0.03;
   // With this surplus the same grains are poured.
@@ -71,7 +71,7 @@ TEST_CASE("physics: a requested porosity is reached within what the material all
   CHECK(std::abs(denser.porosity - requested) < recipe.porosity_tolerance);
   CHECK_THROWS_WITH_AS((void)small_bed({.porosity = 0.7}, 3),
                        doctest::Contains("looser than this material settles"), Error);
-  CHECK_THROWS_WITH_AS((void)small_bed({.porosity = 0.1, .patience = 1.0}, 3),
+  CHECK_THROWS_WITH_AS((void)small_bed({.porosity = 0.1, .rest = {.patience = 1.0}}, 3),
                        doctest::Contains("denser than this material packs"), Error);
   CHECK_THROWS_WITH_AS((void)small_bed({.porosity = 1.4}, 3), doctest::Contains("bed porosity = 1.4"), Error);
 }

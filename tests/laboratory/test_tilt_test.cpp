@@ -34,7 +34,7 @@ TiltTestSetup small_tray(std::uint64_t seed, unsigned threads) {
   return {.sample = {Assembly{default_rock(), 1.3}, sample.rock, sample.rig},
           .method = TiltMethod::layer,
           .tray = {.length = 0.25, .width = 0.12, .depth = 0.06},
-          .bed = {.rest_share = 0.1, .patience = 0.5},
+          .bed = {.rest = {.moving = 0.1, .patience = 0.5}},
           .rest = {.unbalanced = 0.05, .speed = 0.05, .moving = 0.1, .patience = 0.5},
           .rate = 50.0,
           .moved = 0.25,

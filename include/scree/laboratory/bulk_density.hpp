@@ -24,6 +24,11 @@ struct BulkDensitySetup {
   unsigned threads = 0; ///< 0: one for each processor
 };
 
+/// The desk version: fewer, larger and softer grains in a smaller container. All ours.
+inline BulkDensitySetup desk_bulk_density() {
+  return {.sample = desk_rock(), .container = {.radius = 0.15, .height = 0.15}};
+}
+
 /// A filling over a tenth, say, of the height.
 struct DensitySlice {
   double height = 0.0;  ///< m, of its middle above the floor
@@ -40,7 +45,7 @@ struct BulkDensityResult {
 
 /// Fills a container and weighs it.
 ///
-///     scree::BulkDensityTest<> test{{.sample = scree::desk_rock()}};
+///     scree::BulkDensityTest<> test{scree::desk_bulk_density()};
 ///     const double density = test.run().bulk_density;
 template <class Model = DefaultModel>
 class BulkDensityTest {
@@ -65,6 +70,7 @@ public:
   /// Once. `watch(simulation, Stage)` is called after every step.
   template <class Watch>
   const BulkDensityResult& run(Watch watch) {
+    once_.begin("bulk density");
     Random random{setup_.seed, "filling"};
     result_.fill = fill_container(simulation_, setup_.container, setup_.sample.assembly, rock_, setup_.fill,
                                   random, watch);
@@ -118,6 +124,7 @@ private:
   }
 
   BulkDensitySetup setup_;
+  RunsOnce once_;
   Sim simulation_;
   MaterialId rock_ = 0;
   BulkDensityResult result_;

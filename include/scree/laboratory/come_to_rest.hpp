@@ -37,6 +37,17 @@ struct Unrest {
   }
 };
 
+/// \param what came to rest, for the message
+/// \throws Error where it did not.
+inline void require_rest(const char* what, const Unrest& unrest, const RestCriterion& criterion) {
+  if (!unrest.within(criterion)) {
+    throw Error(message(what, ": not at rest within patience = ", criterion.patience,
+                        " s: mean unbalanced over mean contact force ", unrest.unbalanced, " (at most ",
+                        criterion.unbalanced, "), share of grains faster than ", criterion.speed, " m/s ",
+                        unrest.moving, " (at most ", criterion.moving, ")"));
+  }
+}
+
 /// \param speed m/s, above which a grain moves
 template <class Simulation>
 Unrest unrest(const Simulation& simulation, double speed) {
@@ -59,11 +70,11 @@ void stop_all(Simulation& simulation) {
 
 /// Steps, for `least` [s] at least, until the grains are at rest or the patience is over; calls
 /// `watch(simulation)` after every step. When forces are balanced, every grain is stopped from time to time,
-/// as those few that roll over a surface would roll for seconds: what is not in balance starts again by
-/// itself.
+/// as those few that roll over a surface would roll for seconds. What is not in balance then starts again by
+/// itself, and is given the time to: at the default speed, what is pulled by a twentieth of its weight.
 template <class Simulation, class Watch>
 Unrest come_to_rest(Simulation& simulation, const RestCriterion& criterion, double least, Watch& watch) {
-  constexpr double interval = 0.02; // s, ours: a grain in free fall comes to 0.2 m/s
+  constexpr double interval = 0.02, after_stop = 0.1; // s, ours
   const double start = simulation.time();
   double next = start + least;
   Unrest now;
@@ -80,11 +91,24 @@ Unrest come_to_rest(Simulation& simulation, const RestCriterion& criterion, doub
         }
         if (now.unbalanced <= criterion.unbalanced) {
           stop_all(simulation);
+          next = s.time() + after_stop;
         }
         return true;
       },
       watch);
   return now;
+}
+
+/// The same under another local damping.
+/// \param damping local, in [0, 1)
+template <class Simulation, class Watch>
+Unrest settle(Simulation& simulation, double damping, const RestCriterion& criterion, double least,
+              Watch& watch) {
+  const double own = simulation.setup().local_damping;
+  simulation.set_local_damping(damping);
+  const Unrest unrest = come_to_rest(simulation, criterion, least, watch);
+  simulation.set_local_damping(own);
+  return unrest;
 }
 
 } // namespace scree

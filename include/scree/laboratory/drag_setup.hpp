@@ -95,7 +95,7 @@ inline DragSetup desk_drag() {
   s.bed_width = 0.42;
   s.bed_depth = 0.3;
   s.bucket_start = 0.05;
-  s.bed.rest_share = 0.01; // the last rattlers take as long to come to rest as all others
+  s.bed.rest.moving = 0.01; // the last rattlers take as long to come to rest as all others
   s.drag_speed = 0.75;
   s.ramp = 0.1;
   s.rope_stiffness = 5e4;

@@ -51,7 +51,7 @@ struct Drop {
   double energy_restitution =
       0.0;              ///< root of the kinetic energy after over before, spin and sliding included
   std::size_t hits = 0; ///< times that it touched the plate until then, 1 or more
-  bool left = false;    ///< whether it left the plate within the patience
+  bool left = false;    ///< whether it has left the plate within the patience
 };
 
 /// Mean of single values.
@@ -114,6 +114,7 @@ public:
   /// simulation.
   template <class Watch>
   const DropTestResult& run(Watch watch) {
+    once_.begin("drop test");
     for (std::size_t k = 0; k < setup_.speeds.size(); ++k) {
       drop_all(k, watch);
     }
@@ -227,13 +228,13 @@ private:
     }
     flight.touched = touches;
     flight.done = flight.done || (flight.rising && bodies.position(b).z() > bodies.bounding_radius(b));
-    flight.drop.left = flight.done;
   }
 
   void summarise(double speed, const std::vector<Flight>& flights) {
     DropSeries series{.speed = speed, .height = 0.5 * speed * speed / gravity()};
     for (const Flight& flight : flights) {
       Drop drop = flight.drop;
+      drop.left = flight.done || flight.rising;
       if (!drop.left) {
         drop.restitution = drop.energy_restitution = 0.0;
       }
@@ -261,6 +262,7 @@ private:
   }
 
   DropTestSetup setup_;
+  RunsOnce once_;
   Sim simulation_;
   MaterialId rock_ = 0;
   Packing rocks_;                 // about the origin

@@ -32,6 +32,11 @@ public:
       : setup_{std::move(setup)},
         simulation_{with_sample(std::move(physics), setup_.sample, setup_.threads)} {
     setup_.check();
+    if (setup_.method == HeapSetup::Method::funnel) {
+      require_wide("funnel outlet", setup_.funnel.outlet);
+    } else {
+      require_wide("tube radius", setup_.tube.radius);
+    }
     rock_ = simulation_.add_material(setup_.sample.rock);
     rig_ = simulation_.add_material(setup_.sample.rig);
     Material plate = setup_.sample.rock;
@@ -45,6 +50,7 @@ public:
   /// \throws Error where grains stay in the funnel or there is no heap.
   template <class Watch>
   const HeapResult& run(Watch watch) {
+    once_.begin("heap");
     Random random{setup_.seed, "filling"};
     const double begin =
         setup_.method == HeapSetup::Method::funnel ? fill_funnel(random, watch) : fill_tube(random, watch);
@@ -52,6 +58,7 @@ public:
     const Stage stage{"coming to rest", 0.9};
     const auto observe = [&](const auto& s) { watch(s, stage); };
     result_.unrest = come_to_rest(simulation_, setup_.rest, 0.05, observe);
+    require_rest("heap", result_.unrest, setup_.rest);
     const auto& bodies = simulation_.bodies();
     result_.grains = bodies.size();
     for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -134,7 +141,6 @@ private:
       body.material = rock_;
     }
     simulation_.add(pile);
-    require_wide_outlet();
     settle(std::sqrt(2.0 * (rim - outlet) / simulation_.setup().gravity.norm()), watch);
     *begin = simulation_.time();
     wait_until_below(outlet, 0.2, "the funnel", watch);
@@ -142,15 +148,11 @@ private:
   }
 
   /// Rock arches over openings of a few grains (five times the largest is the usual rule).
-  void require_wide_outlet() const {
-    double largest = 0.0;
-    for (std::size_t b = 0; b < simulation_.bodies().size(); ++b) {
-      largest = std::max(largest, 2.0 * simulation_.bodies().bounding_radius(b));
-    }
-    if (2.0 * setup_.funnel.outlet < 3.0 * largest) {
-      throw Error(message("funnel outlet = ", setup_.funnel.outlet,
-                          " m: an opening of less than three of the largest grains, ", largest,
-                          " m across, is sure to be arched over"));
+  void require_wide(const char* what, double radius) const {
+    const double largest = setup_.sample.assembly.largest_diameter();
+    if (2.0 * radius < 3.0 * largest) {
+      throw Error(message(what, " = ", radius, " m: an opening of less than three of the largest grains, ",
+                          largest, " m across, is sure to be arched over"));
     }
   }
 
@@ -158,10 +160,9 @@ private:
   void settle(double least, Watch& watch) {
     const Stage stage{"filling", 0.1};
     const auto observe = [&](const auto& s) { watch(s, stage); };
-    const double damping = simulation_.setup().local_damping;
-    simulation_.set_local_damping(setup_.fill.settling_damping);
-    come_to_rest(simulation_, setup_.fill.rest, least, observe);
-    simulation_.set_local_damping(damping);
+    const RestCriterion& rest = setup_.fill.rest;
+    require_rest("funnel", scree::settle(simulation_, setup_.fill.settling_damping, rest, least, observe),
+                 rest);
   }
 
   /// Fills the tube on the plate and draws it up. Returns when it began to move [s].
@@ -184,6 +185,13 @@ private:
     *begin = simulation_.time();
     const Stage stage{"lifting the tube", 0.5};
     run_for(simulation_, 1.2 * height / speed, [&](const auto& s) { watch(s, stage); });
+    const auto& bodies = simulation_.bodies();
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+      if (bodies.position(b).z() > 1.2 * height) {
+        throw Error(message("heap: grains were carried up by the tube: tube radius = ", setup_.tube.radius,
+                            " m is too narrow for them"));
+      }
+    }
     return *begin;
   }
 
@@ -222,6 +230,7 @@ private:
   }
 
   HeapSetup setup_;
+  RunsOnce once_;
   Sim simulation_;
   MaterialId rock_ = 0, rig_ = 0;
   HeapResult result_;

@@ -12,11 +12,11 @@ namespace scree {
 
 /// A conical funnel above the plate.
 struct Funnel {
-  double outlet = 0.1;     ///< m, radius of its lower end
-  double rim = 0.25;       ///< m, radius of its upper end, above that of the outlet
+  double outlet = 0.13;    ///< m, radius of its lower end
+  double rim = 0.28;       ///< m, radius of its upper end, above that of the outlet
   double steepness = 1.05; ///< rad, of the cone over the horizontal, in (0, pi/2)
   double clearance =
-      0.25; ///< m, from the plate up to the outlet: just above the heap, as grains that fall far spread
+      0.3; ///< m, from the plate up to the outlet: just above the heap, as grains that fall far spread
   double solid = 0.012; ///< m3, of rock without its pores, that is poured in
 
   /// m, of the cone.
@@ -36,7 +36,7 @@ struct HeapSetup {
   double plate_friction = 10.0;
   Method method = Method::funnel;
   Funnel funnel{};
-  RoundContainer tube{.radius = 0.12, .height = 0.3}; ///< of the lifted cylinder
+  RoundContainer tube{.radius = 0.13, .height = 0.3}; ///< of the lifted cylinder
   double lift_speed = 0.05;                           ///< m/s, of the tube, above 0
   FillRecipe fill{};                  ///< of the tube, and how grains come to rest in the funnel
   RestCriterion rest{.moving = 0.01}; ///< of the heap
@@ -69,7 +69,7 @@ struct HeapSetup {
 inline HeapSetup desk_heap() {
   HeapSetup setup;
   setup.sample = desk_rock();
-  setup.funnel = {.outlet = 0.12, .clearance = 0.13, .solid = 0.007};
+  setup.funnel = {.outlet = 0.12, .rim = 0.25, .clearance = 0.13, .solid = 0.007};
   setup.tube = {.radius = 0.12, .height = 0.28};
   setup.lift_speed = 0.1; // at 0.2 m/s the heap is flatter by 5 degrees
   return setup;
@@ -79,7 +79,7 @@ struct HeapResult {
   HeapAngle flank{};
   std::size_t grains = 0; ///< of the heap
   double mass = 0.0;      ///< kg
-  double flow_time = 0.0; ///< s, until funnel or tube were empty
+  double flow_time = 0.0; ///< s, until the funnel was empty, or the tube out of the way
   Unrest unrest{};        ///< of the heap
 };
 

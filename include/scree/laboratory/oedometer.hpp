@@ -33,6 +33,14 @@ public:
       : setup_{std::move(setup)},
         simulation_{with_sample(std::move(physics), setup_.sample, setup_.threads)} {
     setup_.check();
+    result_.inertial_number = setup_.strain_rate * setup_.sample.assembly.mean_diameter() *
+                              std::sqrt(setup_.sample.rock.density / setup_.low_stress);
+    if (result_.inertial_number > setup_.most_inertial_number) {
+      throw Error(message("oedometer strain_rate = ", setup_.strain_rate,
+                          " 1/s: the inertial number under low_stress = ", setup_.low_stress, " Pa is ",
+                          result_.inertial_number,
+                          ", above most_inertial_number = ", setup_.most_inertial_number));
+    }
     rock_ = simulation_.add_material(setup_.sample.rock);
     rig_ = simulation_.add_material(setup_.sample.rig);
     mantle_ = simulation_.add_wall(
@@ -45,13 +53,13 @@ public:
   /// \throws Error where the grains do not carry the load.
   template <class Watch>
   const OedometerResult& run(Watch watch) {
+    once_.begin("oedometer");
     Random random{setup_.seed, "filling"};
     result_.fill = fill_container(simulation_, setup_.container, setup_.sample.assembly, rock_, setup_.fill,
                                   random, [&](const auto& s, Stage stage) {
                                     stage.share *= fill_share;
                                     watch(s, stage);
                                   });
-    result_.inertial_number = inertial_number();
     bring_down_lid(watch);
     for (std::size_t cycle = 0; cycle < setup_.cycles; ++cycle) {
       branch(cycle, true, watch);
@@ -93,15 +101,6 @@ private:
   [[nodiscard]] double speed() const { return setup_.strain_rate * setup_.container.height; }
   [[nodiscard]] double load(double stress) const { return stress * setup_.container.area(); }
   [[nodiscard]] double lid_force() const { return simulation_.wall(lid_).load.force.z(); }
-
-  [[nodiscard]] double inertial_number() const {
-    const auto& bodies = simulation_.bodies();
-    double diameter = 0.0;
-    for (std::size_t b = 0; b < bodies.size(); ++b) {
-      diameter += 2.0 * bodies.bounding_radius(b) / static_cast<double>(bodies.size());
-    }
-    return setup_.strain_rate * diameter * std::sqrt(setup_.sample.rock.density / setup_.low_stress);
-  }
 
   /// Puts the lid on the highest grain and lowers it until it carries the low load.
   template <class Watch>
@@ -199,6 +198,7 @@ private:
   }
 
   OedometerSetup setup_;
+  RunsOnce once_;
   Sim simulation_;
   MaterialId rock_ = 0, rig_ = 0;
   std::size_t mantle_ = 0, base_ = 0, lid_ = 0;

@@ -37,10 +37,12 @@ struct OedometerCycle {
   double slope = 0.0;             ///< N/m, of the loading between the two points
   double slope_error = 0.0;       ///< N/m, standard error of the straight line's slope
   double modulus = 0.0;           ///< Pa, that slope as one of stress against strain
-  double unloading_modulus = 0.0; ///< Pa, of the unloading between the same loads; 0 where there is none
   double compressed = 0.0;        ///< m, displacement at the end of the loading
+  bool unloaded = false;          ///< whether there is an unloading, and with it the rest
+  double unloading_modulus = 0.0; ///< Pa, of the unloading between the same loads
   double permanent = 0.0;         ///< m, displacement at the end of the unloading
-  double hysteresis = 0.0;        ///< J, area between loading and unloading; 0 where there is none
+  /// J, area between loading and unloading, closed by a straight line where these do not meet.
+  double hysteresis = 0.0;
 };
 
 namespace detail {
@@ -84,8 +86,7 @@ inline OedometerCycle oedometer_cycle(std::span<const OedometerPoint> curve, std
                                       const SlopeWindow& window) {
   OedometerCycle out;
   double work = 0.0;
-  bool unloaded = false;
-  const OedometerPoint* before = nullptr;
+  const OedometerPoint *first = nullptr, *before = nullptr;
   for (const OedometerPoint& p : curve) {
     if (p.cycle != cycle) {
       continue;
@@ -93,9 +94,9 @@ inline OedometerCycle oedometer_cycle(std::span<const OedometerPoint> curve, std
     if (before != nullptr) {
       work += 0.5 * (p.lid_force + before->lid_force) * (p.displacement - before->displacement);
     }
-    unloaded = unloaded || !p.loading;
-    out.compressed = p.loading ? p.displacement : out.compressed;
-    out.permanent = p.displacement;
+    (p.loading ? out.compressed : out.permanent) = p.displacement;
+    out.unloaded = out.unloaded || !p.loading;
+    first = first == nullptr ? &p : first;
     before = &p;
   }
   const double to_modulus = window.height / window.area;
@@ -103,9 +104,10 @@ inline OedometerCycle oedometer_cycle(std::span<const OedometerPoint> curve, std
   out.slope = loading.slope;
   out.slope_error = loading.error;
   out.modulus = loading.slope * to_modulus;
-  if (unloaded) {
+  if (out.unloaded) {
     out.unloading_modulus = detail::line_of_branch(curve, cycle, false, window).slope * to_modulus;
-    out.hysteresis = work;
+    out.hysteresis =
+        work - 0.5 * (first->lid_force + before->lid_force) * (before->displacement - first->displacement);
   }
   return out;
 }

@@ -23,8 +23,8 @@ struct RockSample {
   Stiffness stiffness = Stiffness::of_particle; ///< what the stiffness of both materials stands for
 };
 
-/// `physics` for an experiment on `sample`.
-/// \param threads 0: one for each processor
+/// `physics` for an experiment on `sample`, which takes the place of its stiffness convention, as `threads`
+/// does of its threads. \param threads 0: one for each processor
 /// \throws Error for gravity that is not straight down, as experiments have it
 template <class Model>
 Setup<Model> with_sample(Setup<Model> physics, const RockSample& sample, unsigned threads) {
@@ -67,8 +67,8 @@ inline RockSample paper_rock(MassConvention convention = MassConvention::sum_of_
   return {Assembly{default_rock(convention)}, rock, detail::rig_like(rock)};
 }
 
-/// The desk version: a fifth larger, without the two finest classes, which would be most of the grains and
-/// set the time step, and softer. All ours.
+/// The desk version: a fifth larger, of the two middle classes alone, as the finest would be most of the
+/// grains and set the time step, and softer. All ours.
 inline RockSample desk_rock(MassConvention convention = MassConvention::sum_of_spheres) {
   const SieveCurve curve{
       {0.0095, 0.0132, 0.019, 0.0265, 0.0375}, {0.0, 0.0, 0.2, 1.0, 1.0}, SieveBasis::mass};

@@ -43,8 +43,8 @@ struct RoundContainer {
 /// How a container is filled. All numbers are ours.
 struct FillRecipe {
   double surplus = 0.25;              ///< of the volume, poured above the brim and struck off, above 0
-  double expected_porosity = 0.45;    ///< for how much to pour, in (0, 1)
-  double settling_damping = 0.3;      ///< local, while the grains come to rest, in [0, 1)
+  double expected_porosity = 0.45;    ///< for how much to pour, 0.05 to 0.95
+  double settling_damping = 0.3;      ///< local, while the grains come to rest, 0 to 0.99
   RestCriterion rest{.moving = 0.01}; ///< of the grains when the container is full
 
   /// \throws Error for a value out of its range.
@@ -68,7 +68,8 @@ struct FillReport {
 /// Pours grains into the container, whose walls are in the simulation, lets them come to rest, takes away
 /// those whose centres are above the brim and lets the others rest again. `watch(simulation, Stage)` is
 /// called after every step; its share runs from 0 to 1.
-/// \throws Error for a parameter out of its range, or where less was poured than the container holds.
+/// \throws Error for a parameter out of its range, where less was poured than the container holds, or where
+/// the grains do not come to rest.
 template <class Simulation, class Watch>
 FillReport fill_container(Simulation& simulation, const RoundContainer& container, const Assembly& assembly,
                           MaterialId rock, const FillRecipe& recipe, Random& random, Watch watch) {
@@ -86,8 +87,6 @@ FillReport fill_container(Simulation& simulation, const RoundContainer& containe
   simulation.add(pile);
   report.poured = pile.bodies.size();
 
-  const double damping = simulation.setup().local_damping;
-  simulation.set_local_damping(recipe.settling_damping);
   require_positive("fill gravity", simulation.setup().gravity.norm(), "m/s2");
   const double fall = std::sqrt(2.0 * top / simulation.setup().gravity.norm()), start = simulation.time();
   Stage stage{"filling", 0.0};
@@ -97,18 +96,25 @@ FillReport fill_container(Simulation& simulation, const RoundContainer& containe
   };
   RestCriterion poured = recipe.rest;
   poured.moving = 1.0; // what still rolls over the surface is struck off
-  come_to_rest(simulation, poured, fall, observe);
+  require_rest("fill", settle(simulation, recipe.settling_damping, poured, fall, observe), poured);
 
   const double brim = container.height;
-  const std::size_t above = simulation.remove_bodies(
-      [brim](const auto& bodies, std::size_t b) { return bodies.position(b).z() > brim; });
-  if (above == 0) {
-    throw Error(message("fill: what was poured does not reach the brim at ", brim,
-                        " m; surplus = ", recipe.surplus, " over an expected porosity of ",
-                        recipe.expected_porosity, " is too little for this material"));
+  double above = 0.0; // m3 of solid
+  simulation.remove_bodies([&](const auto& bodies, std::size_t b) {
+    const bool over = bodies.position(b).z() > brim;
+    above += over ? bodies.solid_volume(b) : 0.0;
+    return over;
+  });
+  // Less than half a grain over the whole area leaves hollows below the brim.
+  const double size = assembly.mean_diameter();
+  if (above < 0.5 * size * container.area() * (1.0 - recipe.expected_porosity)) {
+    throw Error(
+        message("fill: what was poured stands ", above / container.area(), " m of solid above the brim at ",
+                brim, " m, which grains of ", size, " m leave uneven: surplus = ", recipe.surplus,
+                " over expected_porosity = ", recipe.expected_porosity, " is too little for this material"));
   }
-  report.unrest = come_to_rest(simulation, recipe.rest, 0.02, observe);
-  simulation.set_local_damping(damping);
+  report.unrest = settle(simulation, recipe.settling_damping, recipe.rest, 0.02, observe);
+  require_rest("fill", report.unrest, recipe.rest);
   report.kept = simulation.bodies().size();
   for (std::size_t b = 0; b < report.kept; ++b) {
     report.mass += simulation.bodies().mass(b);

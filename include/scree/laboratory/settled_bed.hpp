@@ -24,15 +24,21 @@ struct BedRecipe {
   double porosity = 0.0;             ///< to reach, in (0, 1); 0: as it comes to rest under its own friction
   double porosity_tolerance = 0.005; ///< absolute
   double surplus = 0.12;             ///< of the volume, poured and struck off at the brim, above 0
-  double expected_porosity = 0.42;   ///< for how much to pour, where none is requested
-  double settling_damping = 0.3;     ///< local, while the grains come to rest, in [0, 1)
-  double rest = 0.05;                ///< mean unbalanced over mean contact force that counts as rest
-  double rest_speed = 0.05;          ///< m/s, above which a grain moves
-  double rest_share = 0.0;           ///< of the grains that may still move in a bed at rest, in [0, 1]
-  double patience = 3.0;             ///< s of simulated time for each stage, above 0
+  double expected_porosity = 0.42;   ///< for how much to pour, where none is requested, 0.05 to 0.95
+  double settling_damping = 0.3;     ///< local, while the grains come to rest, 0 to 0.99
+  RestCriterion rest{};              ///< of the bed; its patience is that of each stage
 
-  /// What counts as rest, where a share `moving` of the grains may still move.
-  [[nodiscard]] RestCriterion criterion(double moving) const { return {rest, rest_speed, moving, patience}; }
+  /// \throws Error for a value out of its range.
+  void check() const {
+    if (porosity != 0.0) {
+      require("bed porosity", porosity, {0.05, 0.95});
+    }
+    require_positive("bed porosity_tolerance", porosity_tolerance);
+    require_positive("bed surplus", surplus);
+    require("bed expected_porosity", expected_porosity, {0.05, 0.95});
+    require("bed settling_damping", settling_damping, {0.0, 0.99});
+    rest.check();
+  }
 };
 
 /// What came of it.
@@ -40,7 +46,7 @@ struct BedReport {
   double porosity = 0.0;        ///< of the core, away from walls and surface
   double poured_porosity = 0.0; ///< before it was made denser
   double unbalanced = 0.0;      ///< mean unbalanced over mean contact force
-  double moving = 0.0;          ///< share of the grains that are faster than the recipe's rest_speed
+  double moving = 0.0;          ///< share of the grains that are faster than the recipe's speed of rest
   bool at_rest = false;         ///< whether both are within the recipe, or the patience was over first
   double bulk_density = 0.0;    ///< kg/m3, of all grains below the brim over the volume of the trough
   std::size_t poured = 0, kept = 0;
@@ -117,7 +123,7 @@ bool densify(Simulation& simulation, MaterialId rock, const BedRecipe& recipe, d
           porosity = measured();
           densest = std::min(densest, porosity);
         }
-        return porosity > target && t < recipe.patience;
+        return porosity > target && t < recipe.rest.patience;
       },
       watch);
   simulation.set_gravity(gravity);
@@ -142,14 +148,9 @@ bool densify(Simulation& simulation, MaterialId rock, const BedRecipe& recipe, d
 template <class Simulation, class Watch>
 BedReport settle_bed(Simulation& simulation, const BedContainer& bed, const Assembly& assembly,
                      MaterialId rock, const BedRecipe& recipe, Random& random, Watch watch) {
-  if (recipe.porosity != 0.0) {
-    require("bed porosity", recipe.porosity, {0.05, 0.95});
-  }
-  require_positive("bed surplus", recipe.surplus);
-  require("bed settling damping", recipe.settling_damping, {0.0, 0.99});
-  require_positive("bed rest speed", recipe.rest_speed, "m/s");
-  require("bed rest share", recipe.rest_share, {0.0, 1.0});
-  require_positive("bed patience", recipe.patience, "s");
+  recipe.check();
+  const double gravity = simulation.setup().gravity.norm();
+  require_positive("bed gravity", gravity, "m/s2");
   const double start = simulation.time();
   BedReport report;
 
@@ -166,11 +167,13 @@ BedReport settle_bed(Simulation& simulation, const BedContainer& bed, const Asse
 
   const double damping = simulation.setup().local_damping;
   simulation.set_local_damping(recipe.settling_damping);
-  const double fall = std::sqrt(2.0 * 2.0 * depth / std::max(1e-9, simulation.setup().gravity.norm()));
+  const double fall = std::sqrt(2.0 * 2.0 * depth / gravity);
   Stage stage{"settling", 0.0};
   const auto observe = [&](auto& s) { watch(s, stage); };
   // What still rolls over the surface is struck off or shaken anyway.
-  come_to_rest(simulation, recipe.criterion(1.0), fall, observe);
+  RestCriterion inside = recipe.rest;
+  inside.moving = 1.0;
+  come_to_rest(simulation, inside, fall, observe);
 
   const Eigen::AlignedBox3d core = detail::bed_core(bed, grain);
   const auto measured = [&] { return porosity(simulation.bodies(), core); };
@@ -188,7 +191,7 @@ BedReport settle_bed(Simulation& simulation, const BedContainer& bed, const Asse
       // Grains pack on while friction takes hold again: the last third of the way is left to them.
       const double target = recipe.porosity + (report.porosity - recipe.porosity) / 3.0;
       denser = densify(simulation, rock, recipe, target, measured, observe);
-      come_to_rest(simulation, recipe.criterion(1.0), 0.02, observe);
+      come_to_rest(simulation, inside, 0.02, observe);
       const double now = measured();
       denser = denser && now < report.porosity;
       report.porosity = now;
@@ -197,12 +200,16 @@ BedReport settle_bed(Simulation& simulation, const BedContainer& bed, const Asse
 
   stage = {"striking off", 0.8};
   simulation.remove_bodies([](const auto& bodies, std::size_t b) { return bodies.position(b).z() > 0.0; });
-  const Unrest left = come_to_rest(simulation, recipe.criterion(recipe.rest_share), 0.05, observe);
+  const Unrest left = come_to_rest(simulation, recipe.rest, 0.05, observe);
   report.unbalanced = left.unbalanced;
   report.moving = left.moving;
-  report.at_rest = left.within(recipe.criterion(recipe.rest_share));
+  report.at_rest = left.within(recipe.rest);
   simulation.set_local_damping(damping);
   report.porosity = measured();
+  if (recipe.porosity > 0.0 && std::abs(report.porosity - recipe.porosity) > recipe.porosity_tolerance) {
+    throw Error(message("bed porosity = ", recipe.porosity, " was not reached to ", recipe.porosity_tolerance,
+                        ": struck off and at rest the bed has ", report.porosity));
+  }
   report.kept = simulation.bodies().size();
   double mass = 0.0;
   for (std::size_t b = 0; b < simulation.bodies().size(); ++b) {

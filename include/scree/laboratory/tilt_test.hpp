@@ -28,9 +28,9 @@ namespace scree {
 /// they are, as otherwise they would run down into others. A lone sphere rolls at once, and is reported apart
 /// from the mean; a long clump across the slope does so too, and is not.
 ///
-/// A layer has failed when the grains of its upper half (by number, those not held to the floor) have moved
-/// so far on average, in terms of their mean bounding diameter, and began likewise. The tray ends at its
-/// brim, over which grains may go.
+/// A layer has failed when half of the grains of its upper half (by number, those not held to the floor) have
+/// moved so far, in terms of their mean bounding diameter, and began likewise: the medians, as the tray ends
+/// at its brim, and the few grains that go over it travel far.
 ///
 ///     scree::TiltTest<> test{scree::desk_tilt_test()};
 ///     const double angle = test.run().angle; // degrees
@@ -59,6 +59,7 @@ public:
   /// Once. `watch(simulation, Stage)` is called after every step.
   template <class Watch>
   const TiltTestResult& run(Watch watch) {
+    once_.begin("tilt test");
     if (setup_.method == TiltMethod::single) {
       lay_rocks(watch);
       tilt_rocks(watch);
@@ -338,13 +339,12 @@ private:
       throw Error(message("tray depth = ", setup_.tray.depth,
                           " m leaves no grain above those that are held to the floor"));
     }
-    const auto middle = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
-    std::nth_element(heights.begin(), middle, heights.end());
+    const double middle = middle_of(heights);
     std::vector<Lie> lies;
     std::vector<std::size_t> place_of; // in `lies`, by id
     double count = 0.0;
     for (std::size_t b = 0; b < bodies.size(); ++b) {
-      if (!bodies.is_fixed(b) && bodies.position(b).z() >= *middle) {
+      if (!bodies.is_fixed(b) && bodies.position(b).z() >= middle) {
         place_of.resize(std::max(place_of.size(), static_cast<std::size_t>(bodies.id(b)) + 1), none);
         place_of[bodies.id(b)] = lies.size();
         lies.push_back(lie(b));
@@ -354,18 +354,22 @@ private:
     }
     result_.grain_size /= count;
 
+    std::vector<double> speeds, ways; // of these grains
     const auto follow = [&](bool due) {
-      double speed = 0.0, way = 0.0, moved = 0.0;
+      double moved = 0.0;
+      speeds.clear();
+      ways.clear();
       for (std::size_t b = 0; b < bodies.size(); ++b) {
         const std::size_t k = bodies.id(b) < place_of.size() ? place_of[bodies.id(b)] : none;
         if (k != none) {
           const double own = (bodies.position(b) - lies[k].position).norm();
-          speed += bodies.velocity(b).norm() / count;
-          way += own / count;
+          speeds.push_back(bodies.velocity(b).norm());
+          ways.push_back(own);
           moved += own > lies[k].reach ? 1.0 / count : 0.0;
         }
       }
-      result_.angle = speed <= setup_.onset_speed ? angle_ : result_.angle;
+      const double way = middle_of(ways);
+      result_.angle = middle_of(speeds) <= setup_.onset_speed ? angle_ : result_.angle;
       if (way > setup_.moved * result_.grain_size) {
         result_.failed = true;
         result_.failure_angle = angle_;
@@ -378,9 +382,17 @@ private:
     result_.angle = result_.failed ? result_.angle : 0.0;
   }
 
+  /// The upper median; changes the order.
+  static double middle_of(std::vector<double>& values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+  }
+
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
   TiltTestSetup setup_;
+  RunsOnce once_;
   Sim simulation_;
   MaterialId rock_ = 0, rig_ = 0;
   std::size_t base_ = 0;

@@ -43,12 +43,12 @@ struct TiltTestSetup {
   TiltMethod method = TiltMethod::single;
   std::size_t rocks = 100;                                               ///< on the plate, 2 or more
   Tray tray{};                                                           ///< of a layer
-  BedRecipe bed{.rest_share = 0.01};                                     ///< how the tray is filled
+  BedRecipe bed{.rest = {.moving = 0.01}};                               ///< how the tray is filled
   RestCriterion rest{.unbalanced = 0.02, .speed = 0.01, .moving = 0.02}; ///< before it is tilted
   double rate = 1.0;                                                     ///< degrees/s, above 0
   double steepest = 60.0;     ///< degrees, where the test ends, above 0 to 90
-  double moved = 0.5;         ///< times its size must a rock move, or the upper half on average; above 0
-  double onset_speed = 0.001; ///< m/s, up to which a rock, or the upper half on average, has not begun
+  double moved = 0.5;         ///< times its size must a rock move, or half of the upper half; above 0
+  double onset_speed = 0.001; ///< m/s, up to which a rock, or half of the upper half, has not begun
   double rolled = 20.0;       ///< degrees; a rock that has turned by more did not slide, above 0 to 180
   std::size_t points = 300;   ///< of the curve up to the steepest angle, 10 or more
   std::uint64_t seed = 1;
@@ -58,6 +58,7 @@ struct TiltTestSetup {
   void check() const {
     require("tilt test rocks", static_cast<double>(rocks), {2.0, 1e6});
     tray.check();
+    bed.check();
     rest.check();
     require_positive("tilt test rate", rate, "degrees/s");
     require_positive("tilt test steepest", steepest, "degrees");
@@ -94,7 +95,7 @@ struct TiltPoint {
   double time = 0.0;         ///< s, since the tilting began
   double angle = 0.0;        ///< degrees
   double share = 0.0;        ///< of the rocks, or of the grains of the upper half, that have moved so far
-  double displacement = 0.0; ///< m, mean of the same
+  double displacement = 0.0; ///< m, mean of the rocks, median of the grains
 };
 
 struct TiltTestResult {

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <span>
 #include <utility>
 #include <vector>
@@ -89,6 +90,25 @@ public:
              std::pow(size_factor_ / sieve_sizes_[i], 3);
     }
     return sum;
+  }
+
+  /// m, of a sphere with that volume.
+  [[nodiscard]] double mean_diameter() const { return std::cbrt(6.0 / std::numbers::pi * mean_volume()); }
+
+  /// m, across the largest clump that can be drawn.
+  [[nodiscard]] double largest_diameter() const {
+    double largest = 0.0;
+    for (std::size_t i = 0; i < shapes_.size(); ++i) {
+      if (shapes_[i].fraction > 0.0) {
+        largest = std::max(largest, bounding_diameter(scaled_to(i, 1.0)));
+      }
+    }
+    return largest;
+  }
+
+  /// m, across a drawn clump where it is longest.
+  [[nodiscard]] double bounding_diameter(const DrawnClump& drawn) const {
+    return 2.0 * drawn.scale * shapes_[drawn.shape].shape.bounding_radius;
   }
 
   /// Draws `count` grains.
