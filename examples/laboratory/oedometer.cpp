@@ -67,7 +67,7 @@ public:
     options.add("load.slope_to", setup_.slope_to, {0.0, 1.0}, "and ends");
     options.add("load.points", setup_.points, {10.0, 1e6}, "of the curve, in each branch");
     options.add(
-        "curve.height", measured_height_, {0.0, 100.0, "m"},
+        "specimen.height", measured_height_, {0.0, 100.0, "m"},
         "of the specimen when it carried the low load first, for measured curves; 0: the container's");
     bind_fill(options, setup_.fill);
   }

@@ -89,7 +89,7 @@ most = 1e6
 [experiments.oedometer]
 container.radius = 0.15
 container.height = 0.25
-curve.height = 0.2
+specimen.height = 0.2
 load.low_stress = 1e3
 load.high_stress = 1e4
 curves = ["1.csv"]

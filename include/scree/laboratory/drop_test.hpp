@@ -4,8 +4,8 @@
 
 #include "scree/core/random.hpp"
 #include "scree/laboratory/rock_sample.hpp"
+#include "scree/laboratory/rocks_on_plate.hpp"
 #include "scree/laboratory/stage.hpp"
-#include "scree/packing/packing.hpp"
 #include "scree/simulation/run.hpp"
 #include "scree/simulation/simulation.hpp"
 
@@ -13,7 +13,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -141,16 +140,11 @@ private:
 
   void draw_rocks() {
     Random random{setup_.seed, "drops"};
-    rocks_.shapes = setup_.sample.assembly.clumps();
-    drawn_ = setup_.sample.assembly.draw(setup_.drops, random);
+    const Assembly& assembly = setup_.sample.assembly;
+    drawn_ = assembly.draw(setup_.drops, random);
+    rocks_ = turned_rocks(assembly, drawn_, rock_, random);
     for (const DrawnClump& grain : drawn_) {
-      PackedBody body;
-      body.shape = static_cast<std::uint32_t>(grain.shape);
-      body.scale = grain.scale;
-      body.orientation = random.orientation();
-      body.material = rock_;
-      rocks_.bodies.push_back(body);
-      largest_ = std::max(largest_, grain.scale * rocks_.shapes[grain.shape].bounding_radius);
+      largest_ = std::max(largest_, 0.5 * assembly.bounding_diameter(grain));
     }
   }
 
@@ -162,15 +156,8 @@ private:
     const double fastest = std::sqrt(speed * speed + 2.0 * gravity() * largest_);
     const double pitch = 2.1 * (largest_ + fastest * (setup_.patience + 2.0 * gap / speed));
     Packing rocks = rocks_;
-    const auto row = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(setup_.drops))));
-    for (std::size_t k = 0; k < rocks.bodies.size(); ++k) {
-      PackedBody& body = rocks.bodies[k];
-      double lowest = std::numeric_limits<double>::infinity();
-      for (const Sphere& s : spheres_in_space(rocks, body)) {
-        lowest = std::min(lowest, s.centre.z() - s.radius);
-      }
-      const std::size_t line = k / row;
-      body.position = {pitch * static_cast<double>(k % row), pitch * static_cast<double>(line), gap - lowest};
+    place_in_rows(rocks, pitch, gap);
+    for (PackedBody& body : rocks.bodies) {
       body.velocity = {0.0, 0.0, -std::sqrt(speed * speed - 2.0 * gravity() * gap)};
     }
     return rocks;

@@ -50,7 +50,8 @@ struct HeapSetup {
     fill.check();
     rest.check();
     flank.check();
-    tube.check();
+    require_positive("tube radius", tube.radius, "m");
+    require_positive("tube height", tube.height, "m");
     require_positive("funnel outlet", funnel.outlet, "m");
     if (!(funnel.rim > funnel.outlet)) {
       throw Error(
@@ -76,7 +77,7 @@ inline HeapSetup desk_heap() {
 }
 
 struct HeapResult {
-  HeapAngle flank{};
+  HeapAngle flank{};      ///< its standard error is that of this heap; other seeds make other heaps
   std::size_t grains = 0; ///< of the heap
   double mass = 0.0;      ///< kg
   double flow_time = 0.0; ///< s, until the funnel was empty, or the tube out of the way

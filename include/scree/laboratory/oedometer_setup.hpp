@@ -60,7 +60,7 @@ inline OedometerSetup desk_oedometer() {
           .low_stress = 8e3,
           .high_stress = 4e4,
           .cycles = 3,
-          .strain_rate = 0.08};
+          .strain_rate = 0.06};
 }
 
 struct OedometerResult {

@@ -199,7 +199,11 @@ BedReport settle_bed(Simulation& simulation, const BedContainer& bed, const Asse
   }
 
   stage = {"striking off", 0.8};
-  simulation.remove_bodies([](const auto& bodies, std::size_t b) { return bodies.position(b).z() > 0.0; });
+  if (simulation.remove_bodies(
+          [](const auto& bodies, std::size_t b) { return bodies.position(b).z() > 0.0; }) == 0) {
+    throw Error(message("bed: what was poured does not reach the brim: surplus = ", recipe.surplus,
+                        " is too little for this material"));
+  }
   const Unrest left = come_to_rest(simulation, recipe.rest, 0.05, observe);
   report.unbalanced = left.unbalanced;
   report.moving = left.moving;

@@ -3,8 +3,8 @@
 /// Rocks on a plate, or a layer in a tray, tilted until they move.
 
 #include "scree/core/random.hpp"
+#include "scree/laboratory/rocks_on_plate.hpp"
 #include "scree/laboratory/tilt_test_setup.hpp"
-#include "scree/packing/packing.hpp"
 #include "scree/simulation/simulation.hpp"
 
 #include <algorithm>
@@ -133,31 +133,18 @@ private:
   template <class Watch>
   void lay_rocks(Watch& watch) {
     Random random{setup_.seed, "rocks"};
-    const auto drawn = setup_.sample.assembly.draw(setup_.rocks, random);
-    Packing rocks{setup_.sample.assembly.clumps(), {}};
+    const Assembly& assembly = setup_.sample.assembly;
+    const auto drawn = assembly.draw(setup_.rocks, random);
+    Packing rocks = turned_rocks(assembly, drawn, rock_, random);
     double largest = 0.0;
     for (const DrawnClump& grain : drawn) {
-      largest = std::max(largest, 2.0 * grain.scale * rocks.shapes[grain.shape].bounding_radius);
+      largest = std::max(largest, assembly.bounding_diameter(grain));
+      result_.rocks.push_back({.rock = grain, .sphere = rocks.shapes[grain.shape].spheres.size() == 1});
     }
     // Ours: a rock tips by less than its size until it lies, and moves by less than its size until it is
     // held.
     const double pitch = (3.0 + 2.0 * std::max(1.0, setup_.moved)) * largest;
-    const auto row = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(setup_.rocks))));
-    for (std::size_t k = 0; k < drawn.size(); ++k) {
-      PackedBody body;
-      body.shape = static_cast<std::uint32_t>(drawn[k].shape);
-      body.scale = drawn[k].scale;
-      body.orientation = random.orientation();
-      body.material = rock_;
-      double lowest = std::numeric_limits<double>::infinity();
-      for (const Sphere& s : spheres_in_space(rocks, body)) {
-        lowest = std::min(lowest, s.centre.z() - s.radius);
-      }
-      const std::size_t line = k / row;
-      body.position = {pitch * static_cast<double>(k % row), pitch * static_cast<double>(line), -lowest};
-      rocks.bodies.push_back(body);
-      result_.rocks.push_back({.rock = drawn[k], .sphere = rocks.shapes[drawn[k].shape].spheres.size() == 1});
-    }
+    place_in_rows(rocks, pitch, 0.0);
     simulation_.add(rocks);
     settle(0.1, watch);
   }
@@ -165,12 +152,10 @@ private:
   /// Lets what lies there come to rest with the damping of the filling.
   template <class Watch>
   void settle(double least, Watch& watch) {
-    const double damping = simulation_.setup().local_damping;
-    simulation_.set_local_damping(setup_.bed.settling_damping);
     const Stage stage{"coming to rest", 0.5 * rest_share};
     auto observe = [&](auto& s) { watch(s, stage); };
-    result_.unrest = come_to_rest(simulation_, setup_.rest, least, observe);
-    simulation_.set_local_damping(damping);
+    result_.unrest = scree::settle(simulation_, setup_.bed.settling_damping, setup_.rest, least, observe);
+    require_rest("tilt test", result_.unrest, setup_.rest);
     stop_all(simulation_);
   }
 
