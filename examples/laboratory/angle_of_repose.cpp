@@ -65,7 +65,10 @@ public:
     options.add("funnel.outlet", setup_.funnel.outlet, {1e-3, 100.0, "m"}, "radius of the lower end");
     options.add("funnel.rim", setup_.funnel.rim, {1e-3, 100.0, "m"}, "radius of the upper end");
     options.add("funnel.steepness", setup_.funnel.steepness, {0.1, 1.5, "rad"}, "of the cone");
-    options.add("funnel.clearance", setup_.funnel.clearance, {1e-3, 100.0, "m"}, "from plate to outlet");
+    options.add("funnel.clearance", setup_.funnel.clearance, {1e-3, 100.0, "m"},
+                "from plate to outlet at first");
+    options.add("funnel.lift_speed", setup_.funnel.lift_speed, {0.0, 100.0, "m/s"},
+                "at which it rises while it runs out; 0: it stands still");
     options.add("funnel.solid", setup_.funnel.solid, {1e-9, 1e3, "m3"}, "of rock, without its pores");
     options.group("Tube");
     options.add("tube.radius", setup_.tube.radius, {1e-3, 100.0, "m"}, "of the lifted cylinder");

@@ -105,7 +105,7 @@ public:
     double reach = setup_.first_reach;
     while (true) {
       const ResponseSurface response{runs_};
-      estimate = best(response, estimate);
+      estimate = most_probable(measured_, response, prior_, estimate);
       JointFit result = judged(response, estimate);
       if (result.runs + setup_.batch > setup_.most_runs || precise(result) || settled(result)) {
         return result;
@@ -203,20 +203,6 @@ private:
     return std::nullopt;
   }
 
-  /// Gauss and Newton on the surfaces, within the bounds.
-  [[nodiscard]] Eigen::VectorXd best(const ResponseSurface& response, Eigen::VectorXd at) const {
-    for (int iteration = 0; iteration < 50; ++iteration) {
-      const Eigen::VectorXd step = Posterior{measured_, response, at}.step().cwiseMax(-0.2).cwiseMin(0.2);
-      const Eigen::VectorXd next = (at + step).cwiseMax(0.0).cwiseMin(1.0);
-      const double moved = (next - at).cwiseAbs().maxCoeff();
-      at = next;
-      if (moved < 1e-9) {
-        break;
-      }
-    }
-    return at;
-  }
-
   /// The reach below which runs would show more noise than answer.
   [[nodiscard]] double worthwhile_reach(const ResponseSurface& response, const Eigen::VectorXd& at) const {
     const Eigen::MatrixXd slopes = response.slopes(at);
@@ -234,7 +220,7 @@ private:
   }
 
   [[nodiscard]] JointFit judged(const ResponseSurface& response, const Eigen::VectorXd& at) const {
-    const Posterior posterior{measured_, response, at};
+    const Posterior posterior{measured_, response, prior_, at};
     JointFit out;
     for (Eigen::Index k = 0; k < dimension(); ++k) {
       const Parameter& parameter = space_[static_cast<std::size_t>(k)];
@@ -276,6 +262,7 @@ private:
   std::vector<Parameter> space_;
   std::vector<Measured> measured_;
   JointFitSetup setup_;
+  Prior prior_ = Prior::even(dimension());
   std::vector<Run> runs_; // those that came to an end
   std::size_t asked_ = 0, failed_ = 0;
   std::vector<std::string> failures_;

@@ -13,19 +13,33 @@
 #include <map>
 #include <span>
 #include <string>
+#include <utility>
 
 namespace scree {
 
+/// What is known of parameters beforehand, in shares of their space: independent normal distributions.
+struct Prior {
+  Eigen::VectorXd centre;
+  Eigen::VectorXd precision; ///< 1 over the variance, above 0
+
+  /// As wide as even distributions over the bounds, so that estimates stay finite where data say nothing.
+  static Prior even(Eigen::Index parameters) {
+    return {Eigen::VectorXd::Constant(parameters, 0.5), Eigen::VectorXd::Constant(parameters, 12.0)};
+  }
+  /// Leaves one parameter where it is.
+  void fix(Eigen::Index parameter, double share) {
+    centre[parameter] = share;
+    precision[parameter] = 1e12;
+  }
+};
+
 /// The parameters near one point of their space, in shares of it: a normal distribution, from the surfaces
-/// straightened at that point, the noise of both sides, and a weak prior as wide as the bounds, so that it
-/// stays finite where data say nothing.
+/// straightened at that point, the noise of both sides, and the prior.
 class Posterior {
 public:
-  /// 1 over the prior's variance, which is that of an even distribution over the bounds.
-  static constexpr double prior_precision = 12.0;
-
-  Posterior(std::span<const Measured> measured, const ResponseSurface& response, const Eigen::VectorXd& at)
-      : measured_{measured}, at_{at}, freedom_{response.freedom()} {
+  Posterior(std::span<const Measured> measured, const ResponseSurface& response, Prior prior,
+            const Eigen::VectorXd& at)
+      : measured_{measured}, prior_{std::move(prior)}, at_{at}, freedom_{response.freedom()} {
     const auto m = static_cast<Eigen::Index>(measured.size());
     const auto simulated = response.predicted(at);
     residual_.resize(m);
@@ -43,16 +57,15 @@ public:
 
     const Eigen::MatrixXd slopes = response.slopes(at);
     weight_ = (of_measured_ + of_simulated_).inverse();
-    covariance_ = (slopes.transpose() * weight_ * slopes +
-                   prior_precision * Eigen::MatrixXd::Identity(at.size(), at.size()))
-                      .inverse();
+    Eigen::MatrixXd precision = slopes.transpose() * weight_ * slopes;
+    precision.diagonal() += prior_.precision;
+    covariance_ = precision.inverse();
     gain_ = covariance_ * slopes.transpose() * weight_;
   }
 
   /// From the point to the most probable one.
   [[nodiscard]] Eigen::VectorXd step() const {
-    const Eigen::VectorXd to_middle = Eigen::VectorXd::Constant(at_.size(), 0.5) - at_;
-    return gain_ * residual_ + covariance_ * (prior_precision * to_middle);
+    return gain_ * residual_ + covariance_ * prior_.precision.cwiseProduct(prior_.centre - at_);
   }
 
   [[nodiscard]] const Eigen::MatrixXd& covariance() const { return covariance_; }
@@ -63,9 +76,14 @@ public:
 
   /// Directions of which the data leave more than half of the prior's variance; columns.
   [[nodiscard]] Eigen::MatrixXd undetermined() const {
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> directions{covariance_}; // in ascending order
-    const auto open = (directions.eigenvalues().array() * prior_precision > 0.5).count();
-    return directions.eigenvectors().rightCols(open);
+    // In units of the prior's widths.
+    const Eigen::VectorXd narrow = prior_.precision.cwiseSqrt();
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> directions{
+        narrow.asDiagonal() * covariance_ * narrow.asDiagonal()}; // in ascending order
+    const auto open = (directions.eigenvalues().array() > 0.5).count();
+    return (narrow.cwiseInverse().asDiagonal() * directions.eigenvectors().rightCols(open))
+        .colwise()
+        .normalized();
   }
 
   /// Of the variance of a parameter, what comes from the simulations' own noise.
@@ -124,11 +142,28 @@ private:
   }
 
   std::span<const Measured> measured_;
+  Prior prior_;
   Eigen::VectorXd at_;
   double freedom_; // of the simulated noise
   Eigen::VectorXd residual_;
   Eigen::MatrixXd of_measured_, of_simulated_; // covariances of the means
   Eigen::MatrixXd weight_, covariance_, gain_;
 };
+
+/// The most probable parameters, in shares, within the bounds: Gauss and Newton on the surfaces.
+inline Eigen::VectorXd most_probable(std::span<const Measured> measured, const ResponseSurface& response,
+                                     const Prior& prior, Eigen::VectorXd from) {
+  for (int iteration = 0; iteration < 50; ++iteration) {
+    const Eigen::VectorXd step =
+        Posterior{measured, response, prior, from}.step().cwiseMax(-0.2).cwiseMin(0.2);
+    const Eigen::VectorXd next = (from + step).cwiseMax(0.0).cwiseMin(1.0);
+    const double moved = (next - from).cwiseAbs().maxCoeff();
+    from = next;
+    if (moved < 1e-9) {
+      break;
+    }
+  }
+  return from;
+}
 
 } // namespace scree

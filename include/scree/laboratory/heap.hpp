@@ -121,14 +121,17 @@ private:
       const double after = std::max(0.0, time - *begin);
       return Pose{{0.0, 0.0, outlet - std::min(depth, 0.5 * fall * after * after)}};
     };
-    simulation_.add_wall({.name = "funnel",
-                          .surfaces = {{cone(), rig_}},
-                          .dynamics = Fixed{},
-                          .motion = {.position = {0.0, 0.0, outlet}}});
+    const auto level = [begin, outlet, speed = f.lift_speed](double time) {
+      return outlet + speed * std::max(0.0, time - *begin);
+    };
     simulation_.add_wall(
-        {.name = "collar",
-         .surfaces = {{Cylinder{.base = {0.0, 0.0, rim}, .radius = f.rim, .length = 1e3}, rig_}},
-         .dynamics = Fixed{}});
+        {.name = "funnel",
+         .surfaces = {{cone(), rig_},
+                      {Cylinder{.base = {0.0, 0.0, f.height()}, .radius = f.rim, .length = 1e3}, rig_}},
+         .dynamics = Prescribed{[level](double time) {
+           return Pose{{0.0, 0.0, level(time)}};
+         }},
+         .motion = {.position = {0.0, 0.0, outlet}}});
     simulation_.add_wall({.name = "shutter",
                           .surfaces = {{disc(), rig_}},
                           .dynamics = Prescribed{sinks},
@@ -143,7 +146,7 @@ private:
     simulation_.add(pile);
     settle(std::sqrt(2.0 * (rim - outlet) / simulation_.setup().gravity.norm()), watch);
     *begin = simulation_.time();
-    wait_until_below(outlet, 0.2, "the funnel", watch);
+    wait_until_below(level, 0.2, "the funnel", watch);
     return *begin;
   }
 
@@ -195,10 +198,10 @@ private:
     return *begin;
   }
 
-  /// Steps until no grain is above `level` [m].
+  /// Steps until no grain is above `level(time)` [m].
   /// \throws Error where none passes it for as long as the setup's patience.
-  template <class Watch>
-  void wait_until_below(double level, double share, const char* what, Watch& watch) {
+  template <class Level, class Watch>
+  void wait_until_below(Level level, double share, const char* what, Watch& watch) {
     const std::size_t all = simulation_.bodies().size();
     std::size_t above = all;
     double next = simulation_.time(), last_passed = next;
@@ -212,7 +215,7 @@ private:
           next = s.time() + 0.02;
           std::size_t left = 0;
           for (std::size_t b = 0; b < s.bodies().size(); ++b) {
-            left += s.bodies().position(b).z() > level ? 1 : 0;
+            left += s.bodies().position(b).z() > level(s.time()) ? 1 : 0;
           }
           last_passed = left < above ? s.time() : last_passed;
           above = std::min(above, left);
