@@ -156,8 +156,9 @@ private:
           beside = fmt::format("; truth {:.5g}", value);
         }
       }
-      fmt::print("  {:<18} {:.5g} {} ({:.5g} to {:.5g}){}{}\n", p.name, e.value, p.unit, e.low, e.high,
-                 e.determined ? "" : ", hardly determined", beside);
+      fmt::print("  {:<18} {:.5g} {} ({:.5g} to {:.5g}){}{}{}\n", p.name, e.value, p.unit, e.low, e.high,
+                 e.determined ? "" : ", hardly determined", e.at_bound ? ", AT ITS BOUND: widen it" : "",
+                 beside);
     }
     save();
     return found;

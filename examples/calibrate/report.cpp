@@ -36,6 +36,7 @@ Json described(const Plan& plan, const JointFit& fit) {
     out["parameters"][plan.space[k].name] = {{"unit", plan.space[k].unit},
                                              {"estimate", e.value},
                                              {"interval", {e.low, e.high}},
+                                             {"at_bound", e.at_bound},
                                              {"determined", e.determined},
                                              {"share_of_variance_from_simulations", e.simulated_share}};
   }

@@ -41,9 +41,12 @@ std::vector<JobOutcome> Trials::run(const std::vector<Job>& jobs) {
     if (!progress_) {
       return;
     }
-    (*progress_)(static_cast<double>(done_) / static_cast<double>(expected_),
-                 fmt::format("{} runs of about {}, {} of them kept from before, {} failed", done_, expected_,
-                             kept_, failed_));
+    // Those kept from before took no time, and tell nothing of what is left.
+    const double share = done_ == expected_
+                             ? 1.0
+                             : static_cast<double>(done_ - kept_) / static_cast<double>(expected_ - kept_);
+    (*progress_)(share, fmt::format("{} runs of about {}, {} of them kept from before, {} failed", done_,
+                                    expected_, kept_, failed_));
   });
 }
 

@@ -218,3 +218,14 @@ TEST_CASE("a joint fit refuses what makes no sense") {
   CHECK_THROWS_WITH_AS(JointCalibration(space(), measured, {.confidence = 1.0}),
                        doctest::Contains("calibration confidence = 1"), Error);
 }
+
+TEST_CASE("Data from beyond a bound: the estimate stands at it and says so, the interval ends there") {
+  const std::vector<Parameter> narrow{space()[0], {"normal_stiffness", "N/m", 1e4, 2e5, true}, space()[2]};
+  JointCalibration calibration{narrow, measured_at({1600.0, 6e5, 0.5}, 3, 10), {.most_runs = 40}};
+  const JointFit fit = calibration.fit(model_of(rock));
+  CHECK(fit.parameters[1].at_bound);
+  CHECK(fit.parameters[1].value == doctest::Approx(2e5));
+  CHECK(fit.parameters[1].high == doctest::Approx(2e5));
+  CHECK(fit.parameters[1].low < 2e5);
+  CHECK_FALSE(fit.parameters[0].at_bound);
+}

@@ -45,7 +45,8 @@ struct JointFitSetup {
 
 struct Estimate {
   double value = 0.0;
-  double low = 0.0, high = 0.0; ///< interval
+  double low = 0.0, high = 0.0; ///< interval, within the bounds
+  bool at_bound = false;        ///< the data would have the value beyond a bound, as far as runs tell
   bool determined = true;       ///< whether the data narrow it to less than half of its range
   double simulated_share = 0.0; ///< of its variance, that comes from the simulations' own noise
 };
@@ -227,8 +228,12 @@ private:
       const boost::math::students_t_distribution<double> student{posterior.freedom(k)};
       const double half =
           quantile(student, 0.5 + 0.5 * setup_.confidence) * std::sqrt(posterior.covariance()(k, k));
-      out.parameters.push_back({parameter.value(at[k]), parameter.value(at[k] - half),
-                                parameter.value(at[k] + half), half < 0.25, posterior.simulated_share(k)});
+      out.parameters.push_back({.value = parameter.value(at[k]),
+                                .low = parameter.value(std::max(0.0, at[k] - half)),
+                                .high = parameter.value(std::min(1.0, at[k] + half)),
+                                .at_bound = at[k] <= 0.0 || at[k] >= 1.0,
+                                .determined = half < 0.25,
+                                .simulated_share = posterior.simulated_share(k)});
     }
     out.correlation = posterior.correlation();
     out.undetermined = posterior.undetermined();

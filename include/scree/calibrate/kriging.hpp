@@ -64,6 +64,12 @@ public:
             noise_ * std::max(0.0, ratio2_ - shared.dot(weights) + rest.dot(of_plane_ * rest))};
   }
 
+  /// Of the mean, along each coordinate.
+  [[nodiscard]] Eigen::VectorXd slope(const Eigen::MatrixXd& at, const Eigen::VectorXd& there) const {
+    const Eigen::VectorXd pull = process(at, there).cwiseProduct(left_) / (length_ * length_);
+    return trend_.tail(there.size()) + at.transpose() * pull - pull.sum() * there;
+  }
+
   /// Of each run from what all others say of it, in units of its standard deviation.
   [[nodiscard]] Eigen::VectorXd left_out() const {
     return (left_.array() / (without_plane_.diagonal().array() * noise_).max(1e-300).sqrt()).matrix();

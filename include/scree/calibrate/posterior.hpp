@@ -2,6 +2,7 @@
 /// \file
 /// What measured and simulated runs say together of the parameters.
 
+#include "scree/calibrate/discrepancy.hpp"
 #include "scree/calibrate/measured.hpp"
 #include "scree/calibrate/response_surface.hpp"
 
@@ -39,24 +40,13 @@ class Posterior {
 public:
   Posterior(std::span<const Measured> measured, const ResponseSurface& response, Prior prior,
             const Eigen::VectorXd& at)
-      : measured_{measured}, prior_{std::move(prior)}, at_{at}, freedom_{response.freedom()} {
-    const auto m = static_cast<Eigen::Index>(measured.size());
-    const auto simulated = response.predicted(at);
-    residual_.resize(m);
-    Eigen::VectorXd scatter(m);
-    for (Eigen::Index k = 0; k < m; ++k) {
-      const Measured& one = measured[static_cast<std::size_t>(k)];
-      residual_[k] = one.mean() - simulated.mean[k];
-      // The least is for data without any scatter.
-      scatter[k] = std::max({std::sqrt(one.variance_of_mean()), 1e-6 * std::abs(one.mean()), 1e-12});
-    }
-    const Eigen::VectorXd error = simulated.variance.cwiseSqrt();
-    const Eigen::MatrixXd together = correlation_of_noise(response);
-    of_measured_ = scatter.asDiagonal() * together * scatter.asDiagonal();
-    of_simulated_ = error.asDiagonal() * together * error.asDiagonal();
-
+      : measured_{measured},
+        prior_{std::move(prior)},
+        at_{at},
+        freedom_{response.freedom()},
+        seen_{measured, response, at},
+        weight_{(seen_.of_measured + seen_.of_simulated).inverse()} {
     const Eigen::MatrixXd slopes = response.slopes(at);
-    weight_ = (of_measured_ + of_simulated_).inverse();
     Eigen::MatrixXd precision = slopes.transpose() * weight_ * slopes;
     precision.diagonal() += prior_.precision;
     covariance_ = precision.inverse();
@@ -65,7 +55,7 @@ public:
 
   /// From the point to the most probable one.
   [[nodiscard]] Eigen::VectorXd step() const {
-    return gain_ * residual_ + covariance_ * prior_.precision.cwiseProduct(prior_.centre - at_);
+    return gain_ * seen_.residual + covariance_ * prior_.precision.cwiseProduct(prior_.centre - at_);
   }
 
   [[nodiscard]] const Eigen::MatrixXd& covariance() const { return covariance_; }
@@ -89,7 +79,7 @@ public:
   /// Of the variance of a parameter, what comes from the simulations' own noise.
   [[nodiscard]] double simulated_share(Eigen::Index parameter) const {
     const Eigen::VectorXd g = gain_.row(parameter).transpose();
-    return g.dot(of_simulated_ * g) / covariance_(parameter, parameter);
+    return g.dot(seen_.of_simulated * g) / covariance_(parameter, parameter);
   }
 
   /// Degrees of freedom behind the variance of a parameter, from those behind its parts (Satterthwaite,
@@ -103,7 +93,7 @@ public:
     for (std::size_t k = 0; k < measured_.size(); ++k) {
       const Measured& one = measured_[k];
       Part& part =
-          parts.try_emplace(one.specimens, Part{Eigen::VectorXd::Zero(residual_.size()), one.freedom()})
+          parts.try_emplace(one.specimens, Part{Eigen::VectorXd::Zero(seen_.residual.size()), one.freedom()})
               .first->second;
       const auto at = static_cast<Eigen::Index>(k);
       part.gain[at] = gain_(parameter, at);
@@ -111,42 +101,25 @@ public:
     }
     double sum = 0.0; // of squares over their freedom
     for (const auto& [specimens, part] : parts) {
-      sum += std::pow(part.gain.dot(of_measured_ * part.gain), 2) / part.freedom;
-      sum += std::pow(part.gain.dot(of_simulated_ * part.gain), 2) / freedom_;
+      sum += std::pow(part.gain.dot(seen_.of_measured * part.gain), 2) / part.freedom;
+      sum += std::pow(part.gain.dot(seen_.of_simulated * part.gain), 2) / freedom_;
     }
     return std::clamp(std::pow(covariance_(parameter, parameter), 2) / std::max(1e-300, sum), 1.0, 1e6);
   }
 
   /// Measured less simulated over the standard error of that, for each observable.
   [[nodiscard]] Eigen::VectorXd standardised_residuals() const {
-    return residual_.cwiseQuotient((of_measured_ + of_simulated_).diagonal().cwiseSqrt());
+    return seen_.residual.cwiseQuotient((seen_.of_measured + seen_.of_simulated).diagonal().cwiseSqrt());
   }
   /// Sum of squared residuals through the inverse of their covariance.
-  [[nodiscard]] double misfit() const { return residual_.dot(weight_ * residual_); }
+  [[nodiscard]] double misfit() const { return seen_.residual.dot(weight_ * seen_.residual); }
 
 private:
-  /// A handful of replicates tells how far measurements scatter; how those of the same specimens do so
-  /// together is taken from the simulated ones, shrunk as few runs know it badly. Different specimens have
-  /// nothing in common.
-  [[nodiscard]] Eigen::MatrixXd correlation_of_noise(const ResponseSurface& response) const {
-    Eigen::MatrixXd out = response.correlation();
-    const double trust = freedom_ / (freedom_ + static_cast<double>(measured_.size()));
-    for (Eigen::Index i = 0; i < out.rows(); ++i) {
-      for (Eigen::Index j = 0; j < out.cols(); ++j) {
-        const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
-        const bool same = measured_[a].specimens == measured_[b].specimens;
-        out(i, j) *= i == j ? 1.0 : same ? trust : 0.0;
-      }
-    }
-    return out;
-  }
-
   std::span<const Measured> measured_;
   Prior prior_;
   Eigen::VectorXd at_;
   double freedom_; // of the simulated noise
-  Eigen::VectorXd residual_;
-  Eigen::MatrixXd of_measured_, of_simulated_; // covariances of the means
+  Discrepancy seen_;
   Eigen::MatrixXd weight_, covariance_, gain_;
 };
 

@@ -86,13 +86,11 @@ public:
   }
   /// Observables by parameters: change per share.
   [[nodiscard]] Eigen::MatrixXd slopes(const Eigen::VectorXd& at) const {
-    Eigen::MatrixXd out(static_cast<Eigen::Index>(candidates_.size()), at.size());
-    constexpr double step = 0.02; // small beside the shortest length
-    for (Eigen::Index k = 0; k < at.size(); ++k) {
-      Eigen::VectorXd ahead = at, behind = at;
-      ahead[k] += step;
-      behind[k] -= step;
-      out.col(k) = (predicted(ahead).mean - predicted(behind).mean) / (2.0 * step);
+    Eigen::MatrixXd out = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(candidates_.size()), at.size());
+    for (Eigen::Index k = 0; k < out.rows(); ++k) {
+      for (const Candidate& c : candidates_[static_cast<std::size_t>(k)]) {
+        out.row(k) += c.weight * c.surface.slope(at_, at).transpose();
+      }
     }
     return out;
   }

@@ -6,6 +6,7 @@
 
 #include "scree/core/linear.hpp"
 
+#include <boost/random/chi_squared_distribution.hpp>
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/normal_distribution.hpp>
 #include <boost/random/uniform_01.hpp>
@@ -36,6 +37,10 @@ public:
   }
   /// Normal with zero mean and unit variance.
   double normal() { return boost::random::normal_distribution<double>{}(engine_); }
+  /// Chi-squared with `freedom` degrees of freedom, above 0.
+  double chi_squared(double freedom) {
+    return boost::random::chi_squared_distribution<double>{freedom}(engine_);
+  }
   /// Uniform over all orientations.
   Quaternion orientation() {
     Quaternion q;

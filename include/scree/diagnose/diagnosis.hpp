@@ -1,0 +1,350 @@
+#pragma once
+/// \file
+/// What a simulation gets wrong, and why.
+
+#include "scree/calibrate/measured.hpp"
+#include "scree/calibrate/response_surface.hpp"
+#include "scree/diagnose/bootstrap.hpp"
+#include "scree/diagnose/cause.hpp"
+#include "scree/diagnose/held_out.hpp"
+#include "scree/diagnose/hypothesis.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace scree {
+
+/// The verdicts that there are.
+enum class Finding { no_discrepancy, cause, causes, indistinguishable, unexplained, insufficient_data };
+
+inline std::string name_of(Finding finding) {
+  static constexpr const char* names[] = {"no_discrepancy",    "cause",       "causes",
+                                          "indistinguishable", "unexplained", "insufficient_data"};
+  return names[static_cast<std::size_t>(finding)];
+}
+
+/// Where judgement draws its lines. All numbers are ours.
+struct DiagnosisSetup {
+  double false_alarms = 0.05;      ///< share of faultless simulations that are doubted, in (0, 0.5)
+  double least_adequacy = 0.02;    ///< probability by chance, below which a hypothesis does not suffice
+  double clear_odds = 10.0;        ///< of the best hypothesis over the next, for one to be named alone
+  double kept_odds = 30.0;         ///< within which hypotheses remain in what is returned
+  double odds_against_pair = 30.0; ///< by which two causes are less likely beforehand than one
+  double confidence = 0.9;         ///< of all intervals
+  double least_power = 0.5;      ///< with which half-way effects must be seen for "no discrepancy" to mean it
+  std::size_t draws = 400;       ///< of each bootstrap
+  std::size_t pair_partners = 4; ///< causes that are tried together with all others
+  std::uint64_t seed = 1;
+};
+
+/// One hypothesis as the data see it.
+struct Ranked {
+  std::vector<std::size_t> causes; ///< none: the base model
+  double log_odds = 0.0;           ///< natural logarithm of the odds over the base model
+  double deviance = 0.0;
+  double adequacy = 1.0; ///< probability of such a deviance by chance; of the best only
+  struct Interval {
+    Eigen::Index parameter; ///< in the space
+    double value, low, high;
+  };
+  std::vector<Interval> parameters{}; ///< of its causes, in their units
+  std::vector<double> base{};         ///< base parameters, in their units, at its best point
+};
+
+struct Diagnosis {
+  Finding finding = Finding::insufficient_data;
+  std::vector<Ranked> ranking; ///< base model, single causes and pairs that were tried, most likely first
+  /// Places in the ranking of what the verdict names: one, or all that remain where several do.
+  std::vector<std::size_t> named;
+  Alarm alarm;
+  double base_adequacy = 1.0;
+  /// Measured less what the base model gives, over the standard error of that, fitted to all.
+  std::vector<double> residuals;
+  std::size_t where = 0;       ///< observable that the base model, fitted to the others, predicts worst
+  double where_residual = 0.0; ///< of it, over its standard error
+  std::optional<HeldOutGain> held_out{};
+  /// For each cause at half its range, and for no cause last: how often it is taken for each of the causes,
+  /// or for none (last).
+  std::vector<std::vector<double>> confusion;
+  std::vector<double> power; ///< for each cause, how often half its range raises the alarm
+  std::string reason;        ///< of the verdict, in a sentence
+};
+
+/// Judges from runs that were made; makes none itself.
+class Diagnostician {
+public:
+  /// \param measured what is fitted
+  /// \param held_out what is only predicted; may be empty
+  /// \param runs over the whole space, with all of these observables, those held out last
+  /// \throws Error for too few runs.
+  Diagnostician(const ModelSpace& space, std::vector<Measured> measured, std::vector<Measured> held_out,
+                const std::vector<Run>& runs, DiagnosisSetup setup = {})
+      : space_{space},
+        measured_{std::move(measured)},
+        held_out_{std::move(held_out)},
+        response_{part_of(runs, 0, measured_.size())},
+        setup_{setup},
+        noise_{measured_, response_},
+        court_{noise_, Prior::even(space.base())} {
+    if (!held_out_.empty()) {
+      held_out_response_.emplace(part_of(runs, measured_.size(), held_out_.size()));
+    }
+    add({}, Eigen::VectorXd::Constant(space_.base(), 0.5));
+    for (std::size_t c = 0; c < space_.causes().size(); ++c) {
+      add({c}, base_point());
+    }
+  }
+
+  /// Where more runs would tell most: at the best points of the most likely hypotheses, as shares of the
+  /// space.
+  [[nodiscard]] std::vector<Eigen::VectorXd> of_interest(std::size_t count) const {
+    std::vector<Eigen::VectorXd> out;
+    for (const std::size_t h : by_likelihood()) {
+      if (out.size() < count) {
+        out.push_back(best_point(h));
+      }
+    }
+    return out;
+  }
+
+  [[nodiscard]] Diagnosis operator()() {
+    Random random{setup_.seed, "diagnosis"};
+    Diagnosis out;
+    const std::size_t singles = hypotheses_.size();
+    out.alarm = raise_alarm(court_, hypotheses_, seen_, setup_.draws, random);
+    out.base_adequacy = out.alarm.omnibus;
+    residuals(out);
+    look_alikes(out, random);
+    if (out.alarm.p > setup_.false_alarms) {
+      judge_silence(out);
+      rank(out);
+      out.named = {place_of(out, {})};
+      return out;
+    }
+    std::size_t best = by_likelihood().front();
+    double fits = adequacy(court_, hypotheses_[best], seen_[best], setup_.draws, random);
+    if (best == 0 || fits < setup_.least_adequacy) {
+      try_pairs(singles);
+      best = by_likelihood().front();
+      fits = adequacy(court_, hypotheses_[best], seen_[best], setup_.draws, random);
+    }
+    rank(out);
+    out.ranking.front().adequacy = fits;
+    if (best == 0 || fits < setup_.least_adequacy) {
+      out.finding = Finding::unexplained;
+      out.reason = "The base model does not suffice, and no cause of the catalogue, nor two, explain what is "
+                   "left.";
+      return out;
+    }
+    name_what_remains(out);
+    hold_out(out, best, random);
+    return out;
+  }
+
+private:
+  static std::vector<Run> part_of(const std::vector<Run>& runs, std::size_t first, std::size_t count) {
+    std::vector<Run> out;
+    for (const Run& run : runs) {
+      if (static_cast<std::size_t>(run.observed.size()) < first + count) {
+        throw Error(message("diagnosis: a run has ", run.observed.size(), " observables where ",
+                            first + count, " are needed"));
+      }
+      out.push_back(
+          {run.at, run.observed.segment(static_cast<Eigen::Index>(first), static_cast<Eigen::Index>(count))});
+    }
+    return out;
+  }
+
+  void add(std::vector<std::size_t> causes, const Eigen::VectorXd& start) {
+    hypotheses_.emplace_back(space_, std::move(causes), measured_, response_, start);
+    seen_.push_back(court_.judge(hypotheses_.back(), noise_.readings()));
+  }
+  [[nodiscard]] const Eigen::VectorXd& base_point() const { return hypotheses_[0].points()[0].local.base; }
+
+  [[nodiscard]] Eigen::VectorXd best_point(std::size_t h) const {
+    const Hypothesis::Point& point = hypotheses_[h].points()[seen_[h].best];
+    Eigen::VectorXd at = space_.null();
+    at.head(space_.base()) = point.local.base;
+    for (std::size_t k = 0; k < hypotheses_[h].free().size(); ++k) {
+      at[hypotheses_[h].free()[k]] = point.shares[static_cast<Eigen::Index>(k)];
+    }
+    return at;
+  }
+
+  /// Natural logarithm of the odds over the base model, given that something is wrong or not alike.
+  [[nodiscard]] double log_odds(std::size_t h) const {
+    const double before = hypotheses_[h].causes().size() > 1 ? -std::log(setup_.odds_against_pair) : 0.0;
+    return seen_[h].log_evidence - seen_[0].log_evidence + before;
+  }
+  [[nodiscard]] std::vector<std::size_t> by_likelihood() const {
+    std::vector<std::size_t> order(hypotheses_.size());
+    for (std::size_t h = 0; h < order.size(); ++h) {
+      order[h] = h;
+    }
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return log_odds(a) > log_odds(b); });
+    return order;
+  }
+
+  /// Each of the most likely causes together with each other one.
+  void try_pairs(std::size_t singles) {
+    std::vector<std::size_t> first;
+    for (const std::size_t h : by_likelihood()) {
+      if (h > 0 && h < singles && first.size() < setup_.pair_partners) {
+        first.push_back(h - 1);
+      }
+    }
+    for (std::size_t a = 0; a < first.size(); ++a) {
+      for (std::size_t c = 0; c < space_.causes().size(); ++c) {
+        const bool done = std::find(first.begin(), first.begin() + static_cast<std::ptrdiff_t>(a) + 1, c) !=
+                          first.begin() + static_cast<std::ptrdiff_t>(a) + 1;
+        if (!done && space_.parameters_of({first[a], c}).size() == 2) {
+          add({std::min(first[a], c), std::max(first[a], c)}, base_point());
+        }
+      }
+    }
+  }
+
+  void residuals(Diagnosis& out) const {
+    const Eigen::VectorXd base = best_point(0);
+    const Posterior posterior{measured_, response_, Prior::even(space_.size()), base};
+    const Eigen::VectorXd all = posterior.standardised_residuals();
+    out.residuals.assign(all.begin(), all.end());
+    // Fitted without one observable, what is it predicted as? By the same straightened model.
+    const LocalModel& local = hypotheses_[0].points()[0].local;
+    const Readings& seen = noise_.readings();
+    for (Eigen::Index k = 0; k < seen.mean.size(); ++k) {
+      Readings without = seen;
+      without.variance[k] *= 1e12;
+      const LocalFit fit = fitted(noise_, without, local, court_.base);
+      const Eigen::RowVectorXd slopes = local.slopes.row(k);
+      const double left = seen.mean[k] - local.mean[k] - slopes.dot(fit.base - local.base);
+      const double variance =
+          seen.variance[k] + local.variance[k] + slopes.dot(fit.precision.llt().solve(slopes.transpose()));
+      if (std::abs(left) > std::abs(out.where_residual) * std::sqrt(variance)) {
+        out.where_residual = left / std::sqrt(variance);
+        out.where = static_cast<std::size_t>(k);
+      }
+    }
+  }
+
+  /// Which causes these data could tell from each other and from nothing.
+  void look_alikes(Diagnosis& out, Random& random) const {
+    const std::size_t causes = space_.causes().size(), draws = std::max<std::size_t>(setup_.draws / 8, 20);
+    const auto row_of = [&](const Hypothesis::Point& truth) {
+      std::vector<double> row =
+          mistaken_for(court_, std::span{hypotheses_}.first(causes + 1), truth, draws, random);
+      std::rotate(row.begin(), row.begin() + 1, row.end()); // none last
+      return row;
+    };
+    for (std::size_t c = 0; c < causes; ++c) {
+      const double null = space_.null()[hypotheses_[c + 1].free()[0]];
+      const double half = null < 0.5 ? null + 0.5 * (1.0 - null) : 0.5 * null;
+      const auto& points = hypotheses_[c + 1].points();
+      const auto nearest = std::min_element(points.begin(), points.end(), [&](const auto& a, const auto& b) {
+        return std::abs(a.shares[0] - half) < std::abs(b.shares[0] - half);
+      });
+      out.confusion.push_back(row_of(*nearest));
+      out.power.push_back(1.0 - out.confusion.back().back());
+    }
+    out.confusion.push_back(row_of(hypotheses_[0].points()[0]));
+  }
+
+  void judge_silence(Diagnosis& out) const {
+    std::vector<double> power = out.power;
+    std::sort(power.begin(), power.end());
+    const double middle = power.empty() ? 0.0 : power[power.size() / 2];
+    if (middle >= setup_.least_power) {
+      out.finding = Finding::no_discrepancy;
+      out.reason = message(
+          "The base model explains what was measured as well as chance allows (p = ", out.alarm.p, ").");
+    } else {
+      out.finding = Finding::insufficient_data;
+      out.reason = message("The base model is not contradicted (p = ", out.alarm.p,
+                           "), but these data would show half-way effects in only ", 100.0 * middle,
+                           " % of cases, in the median over all causes.");
+    }
+  }
+
+  void rank(Diagnosis& out) const {
+    const double outside = 0.5 * (1.0 - setup_.confidence);
+    for (const std::size_t h : by_likelihood()) {
+      Ranked one{.causes = hypotheses_[h].causes(), .log_odds = log_odds(h), .deviance = seen_[h].deviance};
+      for (std::size_t k = 0; k < hypotheses_[h].free().size(); ++k) {
+        const Eigen::Index at = hypotheses_[h].free()[k];
+        const Parameter& parameter = space_.parameters()[static_cast<std::size_t>(at)];
+        const auto value = [&](double probability) {
+          return parameter.value(hypotheses_[h].quantile(seen_[h], k, probability));
+        };
+        one.parameters.push_back({at, value(0.5), value(outside), value(1.0 - outside)});
+      }
+      const std::vector<double> values = space_.values(best_point(h));
+      one.base.assign(values.begin(), values.begin() + space_.base());
+      out.ranking.push_back(std::move(one));
+    }
+  }
+  static std::size_t place_of(const Diagnosis& out, const std::vector<std::size_t>& causes) {
+    return static_cast<std::size_t>(std::find_if(out.ranking.begin(), out.ranking.end(),
+                                                 [&](const Ranked& r) { return r.causes == causes; }) -
+                                    out.ranking.begin());
+  }
+
+  void name_what_remains(Diagnosis& out) const {
+    const double best = out.ranking.front().log_odds;
+    for (std::size_t r = 0; r < out.ranking.size(); ++r) {
+      if (!out.ranking[r].causes.empty() && out.ranking[r].log_odds > best - std::log(setup_.kept_odds)) {
+        out.named.push_back(r);
+      }
+    }
+    const bool alone = out.named.size() < 2 || out.ranking[1].log_odds < best - std::log(setup_.clear_odds);
+    if (!alone) {
+      out.finding = Finding::indistinguishable;
+      out.reason = "The base model does not suffice; several causes explain what is left about as well.";
+      return;
+    }
+    out.named.resize(1);
+    out.finding = out.ranking.front().causes.size() > 1 ? Finding::causes : Finding::cause;
+    out.reason =
+        "The base model does not suffice, and what is named explains what is left, clearly better than "
+        "any rival.";
+  }
+
+  /// Predicts what was held out; a cause that fails there is none.
+  void hold_out(Diagnosis& out, std::size_t best, Random& random) const {
+    if (!held_out_response_) {
+      return;
+    }
+    const Noise noise{held_out_, *held_out_response_};
+    const auto of = [&](std::size_t h) {
+      return predicted(court_, hypotheses_[h], noise_.readings(), seen_[h], space_.null(),
+                       *held_out_response_);
+    };
+    out.held_out = held_out_gain(noise, of(0), of(best), setup_.confidence, setup_.draws, random);
+    if (out.held_out->p < setup_.least_adequacy) {
+      out.finding = Finding::unexplained;
+      out.named.clear();
+      out.reason =
+          message("The best of the causes explains what was fitted, but fails on what was held out (p = ",
+                  out.held_out->p, ").");
+    }
+  }
+
+  const ModelSpace& space_;
+  std::vector<Measured> measured_, held_out_;
+  ResponseSurface response_;
+  std::optional<ResponseSurface> held_out_response_;
+  DiagnosisSetup setup_;
+  Noise noise_;
+  Court court_;
+  std::vector<Hypothesis> hypotheses_; // the base model, the single causes, pairs
+  std::vector<Judgement> seen_;        // of the measured data, one each
+};
+
+} // namespace scree

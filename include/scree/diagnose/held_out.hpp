@@ -1,0 +1,117 @@
+#pragma once
+/// \file
+/// How well hypotheses predict what they were not fitted to.
+
+#include "scree/core/random.hpp"
+#include "scree/diagnose/bootstrap.hpp"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace scree {
+
+/// Observables that were held out, as a hypothesis predicts them, and how surely.
+struct HeldOutPrediction {
+  Eigen::VectorXd mean;
+  Eigen::MatrixXd covariance; ///< of the mean
+};
+
+/// \param base number of base parameters
+/// \param null shares of the whole space with all causes null
+/// \param response of the held-out observables over the same space
+inline HeldOutPrediction predicted(const Court& court, const Hypothesis& hypothesis, const Readings& readings,
+                                   const Judgement& judgement, const Eigen::VectorXd& null,
+                                   const ResponseSurface& response) {
+  const Eigen::Index m = response.noise().size();
+  HeldOutPrediction out{Eigen::VectorXd::Zero(m), Eigen::MatrixXd::Zero(m, m)};
+  Eigen::MatrixXd second = Eigen::MatrixXd::Zero(m, m);
+  for (std::size_t j = 0; j < hypothesis.points().size(); ++j) {
+    const double weight = judgement.weights[static_cast<Eigen::Index>(j)];
+    if (weight < 1e-4) {
+      continue;
+    }
+    const Hypothesis::Point& point = hypothesis.points()[j];
+    const LocalFit fit = fitted(court.noise, readings, point.local, court.base);
+    Eigen::VectorXd at = null;
+    at.head(fit.base.size()) = fit.base.cwiseMax(0.0).cwiseMin(1.0);
+    for (std::size_t k = 0; k < hypothesis.free().size(); ++k) {
+      at[hypothesis.free()[k]] = point.shares[static_cast<Eigen::Index>(k)];
+    }
+    const auto surface = response.predicted(at);
+    const Eigen::MatrixXd slopes = response.slopes(at).leftCols(fit.base.size());
+    out.mean += weight * surface.mean;
+    second += weight * (surface.mean * surface.mean.transpose());
+    out.covariance += weight * (slopes * fit.precision.llt().solve(slopes.transpose()));
+    out.covariance.diagonal() += weight * surface.variance;
+  }
+  const double sum = judgement.weights.sum();
+  out.mean /= sum;
+  out.covariance += second - out.mean * out.mean.transpose();
+  return out;
+}
+
+/// What a hypothesis gains over the base model on held-out data.
+struct HeldOutGain {
+  /// Root mean square of predicted less measured, over the standard error of what was measured.
+  double before = 0.0, after = 0.0;
+  double gain = 0.0;                                 ///< 1 - after / before
+  double low = 0.0, high = 0.0;                      ///< interval of that
+  double p = 1.0;                                    ///< by which chance explains what is left
+  Eigen::VectorXd residuals_before, residuals_after; ///< of each observable, over the same
+};
+
+/// \param noise of the held-out observables
+inline HeldOutGain held_out_gain(const Noise& noise, const HeldOutPrediction& base,
+                                 const HeldOutPrediction& extended, double confidence, std::size_t draws,
+                                 Random& random) {
+  const Readings& seen = noise.readings();
+  const Eigen::ArrayXd error = seen.variance.array().sqrt();
+  HeldOutGain out;
+  out.residuals_before = ((seen.mean - base.mean).array() / error).matrix();
+  out.residuals_after = ((seen.mean - extended.mean).array() / error).matrix();
+  const auto rms = [](const Eigen::VectorXd& v) {
+    return v.norm() / std::sqrt(static_cast<double>(v.size()));
+  };
+  const auto gain = [&](const Eigen::VectorXd& before, const Eigen::VectorXd& after) {
+    return 1.0 - rms(after) / std::max(1e-12, rms(before));
+  };
+  out.before = rms(out.residuals_before);
+  out.after = rms(out.residuals_after);
+  out.gain = gain(out.residuals_before, out.residuals_after);
+
+  // Whatever both sides know only roughly is drawn again: the measured means, and the predictions.
+  const Eigen::MatrixXd root_base = Eigen::LLT<Eigen::MatrixXd>{base.covariance}.matrixL();
+  const Eigen::MatrixXd root_extended = Eigen::LLT<Eigen::MatrixXd>{extended.covariance}.matrixL();
+  const auto even = [&] {
+    Eigen::VectorXd z(error.size());
+    for (double& x : z) {
+      x = random.normal();
+    }
+    return z;
+  };
+  std::vector<double> gains, left;
+  for (std::size_t d = 0; d < draws; ++d) {
+    const Eigen::VectorXd measured = seen.mean + noise.normal(seen.variance, random);
+    const Eigen::VectorXd of_base = base.mean + root_base * even();
+    const Eigen::VectorXd of_extended = extended.mean + root_extended * even();
+    gains.push_back(gain(((measured - of_base).array() / error).matrix(),
+                         ((measured - of_extended).array() / error).matrix()));
+    const Readings again = noise.drawn(of_extended, random);
+    left.push_back(rms(((again.mean - extended.mean).array() / again.variance.array().sqrt()).matrix()));
+  }
+  std::sort(gains.begin(), gains.end());
+  const auto at = [&](double share) {
+    return gains[static_cast<std::size_t>(share * static_cast<double>(gains.size() - 1))];
+  };
+  out.low = at(0.5 * (1.0 - confidence));
+  out.high = at(0.5 * (1.0 + confidence));
+  out.p = share_above(left, out.after);
+  return out;
+}
+
+} // namespace scree
