@@ -1,11 +1,11 @@
 #include "calibrate/closed_loop.hpp"
 
-#include "calibrate/measured_folder.hpp"
+#include "laboratory/measured_folder.hpp"
+#include "laboratory/measurements.hpp"
 #include "laboratory/trials.hpp"
 
 #include "scree/core/random.hpp"
 #include "scree/io/atomic_file.hpp"
-#include "scree/io/csv.hpp"
 
 #include <cmath>
 #include <system_error>
@@ -15,20 +15,13 @@ namespace calibrate {
 namespace {
 
 using namespace scree;
-using examples::Plan;
-using examples::Trials;
+namespace ex = scree::examples;
 
-/// How often an experiment is done, and how well it is read off. All numbers are ours.
-struct Laboratory {
-  const char* experiment;
-  std::size_t replicates;
-  double relative; ///< standard deviation of a reading over its value
-  double absolute; ///< and in its unit
-};
-constexpr Laboratory laboratory[] = {{"immersion", 10, 5e-4, 0.0},
-                                     {"bulk_density", 12, 1e-3, 0.0},
-                                     {"oedometer", 16, 1e-2, 0.0},
-                                     {"angle_of_repose", 12, 0.0, 0.5}};
+/// All numbers are ours.
+const std::vector<ex::Reading> readings{{"immersion", 10, 5e-4, 0.0},
+                                        {"bulk_density", 12, 1e-3, 0.0},
+                                        {"oedometer", 16, 1e-2, 0.0},
+                                        {"angle_of_repose", 12, 0.0, 0.5}};
 
 /// The bounds are wider than what is drawn, so that the truth is not at the edge of the space.
 constexpr const char* calibration_toml =
@@ -78,7 +71,7 @@ Truth make_measurements(const std::filesystem::path& folder, std::uint64_t seed,
               {"friction", draw.uniform(0.25, 0.7)}};
 
   write_atomically(folder / "calibration.toml", calibration_toml);
-  const Plan plan = read_plan(folder, Data::none);
+  const ex::Plan plan = ex::read_plan(folder, ex::Data::none);
   std::vector<double> parameters = plan.start;
   for (std::size_t k = 0; k < plan.space.size(); ++k) {
     for (const auto& [name, value] : truth) {
@@ -86,34 +79,11 @@ Truth make_measurements(const std::filesystem::path& folder, std::uint64_t seed,
     }
   }
   std::size_t expected = 0;
-  for (const Laboratory& l : laboratory) {
-    expected += l.replicates;
+  for (const ex::Reading& reading : readings) {
+    expected += reading.replicates;
   }
-  Trials trials{plan, campaign, limit, expected, show_progress};
-  Random noise{seed, "closed loop, noise"}, seeds{seed, "closed loop, seeds"};
-  for (const Laboratory& l : laboratory) {
-    const std::size_t e = plan.index_of(l.experiment);
-    std::vector<std::uint64_t> own;
-    for (std::size_t k = 0; k < l.replicates; ++k) {
-      own.push_back(seeds.index(std::size_t{1} << 53U));
-    }
-    const auto runs = trials.replicates(e, parameters, own);
-    if (runs.size() < l.replicates) {
-      throw Error(message("closed loop: ", l.replicates - runs.size(), " of ", l.replicates, " runs of ",
-                          l.experiment, " failed"));
-    }
-    std::vector<std::string> columns;
-    for (const auto& observable : plan.experiments[e].experiment->observables()) {
-      columns.push_back(observable.name);
-    }
-    CsvWriter table{folder / message(l.experiment, ".csv"), columns, "One replicate a row."};
-    for (std::vector<double> row : runs) {
-      for (double& value : row) {
-        value += (l.relative * value + l.absolute) * noise.normal();
-      }
-      table.row(row);
-    }
-  }
+  ex::Trials trials{plan, campaign, limit, expected, show_progress};
+  ex::write_measurements(folder, plan, trials, parameters, readings, seed);
   trials.close();
   return truth;
 }

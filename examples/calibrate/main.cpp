@@ -2,8 +2,8 @@
 /// \smoke --measured @PROJECT_SOURCE_DIR@/tests/examples/measured/immersion --runs 20
 
 #include "calibrate/closed_loop.hpp"
-#include "calibrate/measured_folder.hpp"
 #include "calibrate/report.hpp"
+#include "laboratory/measured_folder.hpp"
 #include "laboratory/trials.hpp"
 
 #include "support/crew.hpp"
@@ -91,7 +91,8 @@ private:
       measured = folder_ / "measured";
       truth = calibrate::make_measurements(measured, wish_.seed, campaign, wish_.limit, crew_.first());
     }
-    const ex::Plan plan = calibrate::read_plan(measured);
+    ex::Plan plan = ex::read_plan(measured);
+    plan.drop_held_out();
     for (const std::string& remark : plan.remarks) {
       fmt::print("{}\n", remark);
     }

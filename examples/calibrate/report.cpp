@@ -33,12 +33,10 @@ Json described(const Plan& plan, const JointFit& fit) {
   Json out;
   for (std::size_t k = 0; k < plan.space.size(); ++k) {
     const Estimate& e = fit.parameters[k];
-    out["parameters"][plan.space[k].name] = {{"unit", plan.space[k].unit},
-                                             {"estimate", e.value},
-                                             {"interval", {e.low, e.high}},
-                                             {"at_bound", e.at_bound},
-                                             {"determined", e.determined},
-                                             {"share_of_variance_from_simulations", e.simulated_share}};
+    out["parameters"][plan.space[k].name] = {
+        {"unit", plan.space[k].unit},  {"estimate", e.value},
+        {"interval", {e.low, e.high}}, {"at_bound", e.at_bound},
+        {"determined", e.determined},  {"share_of_variance_from_simulations", e.simulated_share}};
   }
   for (std::size_t i = 0; i < plan.space.size(); ++i) {
     for (std::size_t k = i + 1; k < plan.space.size(); ++k) {
@@ -110,23 +108,23 @@ std::string draw_before_and_after(const Plan& plan, Trials& trials, const std::v
       }
     }
     for (std::size_t s = 0; s < 2; ++s) {
-      std::vector<std::uint64_t> seeds(shown);
+      std::vector<Trials::Replicate> wanted;
       for (std::size_t n = 0; n < shown; ++n) {
-        seeds[n] = first_shown + n;
+        wanted.push_back({e, sides[s].parameters, first_shown + n});
       }
-      for (const auto& values : trials.replicates(e, sides[s].parameters, seeds)) {
-        for (std::size_t k = 0; k < planned.measured.size(); ++k) {
+      for (const RunOutcome& run : trials.replicates(wanted)) {
+        for (std::size_t k = 0; run.failure.empty() && k < planned.measured.size(); ++k) {
           const Measured& m = planned.measured[k];
           const double middle = m.logarithmic ? std::exp(m.mean()) : m.mean();
           observables.points.push_back({static_cast<double>(k + 1) + 0.2 * static_cast<double>(s),
-                                        values[planned.used[k]] / middle, sides[s].name, 1});
+                                        run.observed[planned.used[k]] / middle, sides[s].name, 1});
         }
       }
       const auto place = std::filesystem::path{sides[s].name} / planned.name;
       std::error_code error;
       std::filesystem::create_directories(folder / place, error);
       try {
-        (void)planned.experiment->observe({.sample = plan.with(sides[s].parameters), .seed = first_shown},
+        (void)planned.experiment->observe({.model = plan.with(sides[s].parameters), .seed = first_shown},
                                           folder / place);
         curves.curves.push_back({place / curve.file, curve.x, curve.y, sides[s].name});
       } catch (const Error& failure) {

@@ -84,12 +84,14 @@ public:
   }
   std::vector<double> observe(const Conditions& conditions,
                               const std::filesystem::path& folder) const override {
-    HeapTest<> test{prepared(conditions), {.step_safety = conditions.step_safety}};
-    const HeapResult& r = test.run(detail::limited(conditions));
-    if (!folder.empty()) {
-      write_profiles(folder, r);
-    }
-    return {r.flank.angle / degree};
+    return detail::with_physics_of(conditions, [&]<class Model>(const Setup<Model>& physics) {
+      HeapTest<Model> test{prepared(conditions), physics};
+      const HeapResult& r = test.run(detail::limited(conditions));
+      if (!folder.empty()) {
+        write_profiles(folder, r);
+      }
+      return std::vector{r.flank.angle / degree};
+    });
   }
   void show(Workbench& bench) const override {
     HeapTest<> test{prepared(detail::conditions_of(bench)), {.step_safety = bench.step_safety()}};

@@ -42,12 +42,14 @@ public:
   }
   std::vector<double> observe(const Conditions& conditions,
                               const std::filesystem::path& folder) const override {
-    BulkDensityTest<> test{detail::prepared(setup_, conditions), {.step_safety = conditions.step_safety}};
-    const BulkDensityResult& r = test.run(detail::limited(conditions));
-    if (!folder.empty()) {
-      write_profile(folder, r);
-    }
-    return {r.bulk_density};
+    return detail::with_physics_of(conditions, [&]<class Model>(const Setup<Model>& physics) {
+      BulkDensityTest<Model> test{detail::prepared(setup_, conditions), physics};
+      const BulkDensityResult& r = test.run(detail::limited(conditions));
+      if (!folder.empty()) {
+        write_profile(folder, r);
+      }
+      return std::vector{r.bulk_density};
+    });
   }
   void show(Workbench& bench) const override {
     BulkDensityTest<> test{detail::prepared(setup_, detail::conditions_of(bench)),

@@ -104,24 +104,26 @@ public:
   }
   std::vector<double> observe(const Conditions& conditions,
                               const std::filesystem::path& folder) const override {
-    DropTest<> test{detail::prepared(setup_, conditions), {.step_safety = conditions.step_safety}};
-    const DropTestResult& r = test.run(detail::limited(conditions));
-    if (!folder.empty()) {
-      write_tables(folder, r);
-    }
-    for (const DropSeries& s : r.series) {
-      if (10 * s.stayed > s.drops.size()) {
-        throw Error(message("drop test: ", s.stayed, " of ", s.drops.size(), " rocks dropped at ", s.speed,
-                            " m/s have not left the plate within patience = ", setup_.patience, " s"));
+    return detail::with_physics_of(conditions, [&]<class Model>(const Setup<Model>& physics) {
+      DropTest<Model> test{detail::prepared(setup_, conditions), physics};
+      const DropTestResult& r = test.run(detail::limited(conditions));
+      if (!folder.empty()) {
+        write_tables(folder, r);
       }
-    }
-    // Means over the speeds.
-    double restitution = 0.0, of_energy = 0.0;
-    for (const DropSeries& s : r.series) {
-      restitution += s.restitution.mean / static_cast<double>(r.series.size());
-      of_energy += s.energy_restitution.mean / static_cast<double>(r.series.size());
-    }
-    return {restitution, of_energy};
+      for (const DropSeries& s : r.series) {
+        if (10 * s.stayed > s.drops.size()) {
+          throw Error(message("drop test: ", s.stayed, " of ", s.drops.size(), " rocks dropped at ", s.speed,
+                              " m/s have not left the plate within patience = ", setup_.patience, " s"));
+        }
+      }
+      // Means over the speeds.
+      double restitution = 0.0, of_energy = 0.0;
+      for (const DropSeries& s : r.series) {
+        restitution += s.restitution.mean / static_cast<double>(r.series.size());
+        of_energy += s.energy_restitution.mean / static_cast<double>(r.series.size());
+      }
+      return std::vector{restitution, of_energy};
+    });
   }
   void show(Workbench& bench) const override {
     DropTest<> test{detail::prepared(setup_, detail::conditions_of(bench)),

@@ -4,7 +4,8 @@
 
 #include "scree/core/error.hpp"
 #include "scree/io/csv.hpp"
-#include "scree/laboratory/rock_sample.hpp"
+#include "scree/laboratory/rock_model.hpp"
+#include "support/extended_simulation.hpp"
 #include "support/options.hpp"
 #include "support/plot.hpp"
 #include "support/workbench.hpp"
@@ -20,7 +21,7 @@ namespace scree::examples {
 
 /// What one run is done with.
 struct Conditions {
-  RockSample sample;
+  RockModel model;
   std::uint64_t seed = 1;
   unsigned threads = 1; ///< 0: one for each processor
   double step_safety = 0.8;
@@ -88,16 +89,25 @@ std::unique_ptr<Experiment> make_tilt_test(bool desk);
 /// The setup with the rock and so on of one run.
 template <class Setup>
 Setup prepared(Setup setup, const Conditions& conditions) {
-  setup.sample = conditions.sample;
+  setup.sample = conditions.model.sample;
   setup.seed = conditions.seed;
+  if constexpr (requires { setup.fill.packing_friction; }) {
+    setup.fill.packing_friction *= conditions.model.packing_friction;
+  }
   if constexpr (requires { setup.threads; }) {
     setup.threads = conditions.threads;
   }
   return setup;
 }
 
+/// Calls `run` with the physics that the conditions ask for.
+template <class Run>
+auto with_physics_of(const Conditions& conditions, const Run& run) {
+  return with_physics(conditions.model, {.step_safety = conditions.step_safety}, run);
+}
+
 inline Conditions conditions_of(const Workbench& bench) {
-  return {.sample = bench.sample(),
+  return {.model = {bench.sample()},
           .seed = bench.seed(),
           .threads = bench.threads(),
           .step_safety = bench.step_safety()};

@@ -72,19 +72,25 @@ public:
     bind_fill(options, setup_.fill);
   }
   std::vector<Observable> observables() const override {
-    return {{"modulus_Pa"}, {"first_modulus_Pa"}, {"unloading_modulus_Pa"}, {"settlement"}, {"hysteresis_J"}};
+    return {{"modulus_Pa"},
+            {"first_modulus_Pa"},
+            {"unloading_modulus_Pa"},
+            {"settlement"},
+            {"hysteresis_J", false}};
   }
   CurveFile curve() const override {
     return {"oedometer.csv", "displacement_m", "lid_force_N", "Load on the lid", "displacement, m", "N"};
   }
   std::vector<double> observe(const Conditions& conditions,
                               const std::filesystem::path& folder) const override {
-    Oedometer<> oedometer{detail::prepared(setup_, conditions), {.step_safety = conditions.step_safety}};
-    const OedometerResult& r = oedometer.run(detail::limited(conditions));
-    if (!folder.empty()) {
-      write_curve(folder, r, setup_.container.area());
-    }
-    return observables_of(r.cycles, r.height);
+    return detail::with_physics_of(conditions, [&]<class Model>(const Setup<Model>& physics) {
+      Oedometer<Model> oedometer{detail::prepared(setup_, conditions), physics};
+      const OedometerResult& r = oedometer.run(detail::limited(conditions));
+      if (!folder.empty()) {
+        write_curve(folder, r, setup_.container.area());
+      }
+      return observables_of(r.cycles, r.height);
+    });
   }
   std::vector<double> reduce(const CsvTable& curve) const override {
     const double area = setup_.container.area(), low = setup_.low_stress * area,

@@ -13,12 +13,21 @@ std::vector<Measured> Plan::measured() const {
   return all;
 }
 
-RockSample Plan::with(const std::vector<double>& parameters) const {
-  RockSample changed = sample;
+RockModel Plan::with(const std::vector<double>& parameters) const {
+  RockModel changed = model;
   for (std::size_t k = 0; k < space.size(); ++k) {
     rock_parameter(space[k].name).set(changed, parameters.at(k));
   }
   return changed;
+}
+
+void Plan::drop_held_out() {
+  for (const PlannedExperiment& e : experiments) {
+    if (e.held_out) {
+      remarks.push_back(message(e.name, " is held out, and not looked at"));
+    }
+  }
+  std::erase_if(experiments, [](const PlannedExperiment& e) { return e.held_out; });
 }
 
 std::size_t Plan::index_of(const std::string& experiment) const {

@@ -25,12 +25,13 @@ struct PlannedExperiment {
   std::vector<std::size_t> used{};  ///< which of its observables were measured
   std::vector<Measured> measured{}; ///< these
   std::filesystem::path curve{};    ///< a measured curve, to be drawn; empty for none
+  bool held_out = false;            ///< not to be fitted, but to be predicted
 };
 
 struct Plan {
   std::filesystem::path folder;
-  RockSample sample; ///< with the start values
-  std::string rock;  ///< all its numbers as one line of JSON
+  RockModel model;  ///< with the start values
+  std::string rock; ///< all its numbers as one line of JSON
   std::vector<Parameter> space{};
   std::vector<double> start{}; ///< of each parameter
   std::vector<PlannedExperiment> experiments{};
@@ -39,10 +40,12 @@ struct Plan {
 
   /// Of all experiments, in their order.
   [[nodiscard]] std::vector<Measured> measured() const;
+  /// Drops the experiments that are held out, with a remark for each.
+  void drop_held_out();
   /// \throws Error for a name that none of the experiments has.
   [[nodiscard]] std::size_t index_of(const std::string& experiment) const;
-  /// The sample with other parameters.
-  [[nodiscard]] RockSample with(const std::vector<double>& parameters) const;
+  /// The model with other parameters.
+  [[nodiscard]] RockModel with(const std::vector<double>& parameters) const;
 };
 
 } // namespace scree::examples

@@ -125,19 +125,22 @@ public:
   }
   std::vector<double> observe(const Conditions& conditions,
                               const std::filesystem::path& folder) const override {
-    TiltTest<> test{prepared(conditions), {.step_safety = conditions.step_safety}};
-    const TiltTestResult& r = test.run(detail::limited(conditions));
-    if (!folder.empty()) {
-      write_tables(folder, r, single());
-    }
-    // A mean without those that hold would be too low.
-    if (!r.failed) {
-      throw Error(single()
-                      ? message("tilt test: ", r.held, " of ", r.slid + r.rolled + r.held,
-                                " rocks hold up to steepest = ", setup_.steepest, " degrees")
-                      : message("tilt test: the layer holds up to steepest = ", setup_.steepest, " degrees"));
-    }
-    return {r.angle, r.failure_angle, r.slid > 0 ? r.slid_angle : std::numeric_limits<double>::quiet_NaN()};
+    return detail::with_physics_of(conditions, [&]<class Model>(const Setup<Model>& physics) {
+      TiltTest<Model> test{prepared(conditions), physics};
+      const TiltTestResult& r = test.run(detail::limited(conditions));
+      if (!folder.empty()) {
+        write_tables(folder, r, single());
+      }
+      // A mean without those that hold would be too low.
+      if (!r.failed) {
+        throw Error(
+            single() ? message("tilt test: ", r.held, " of ", r.slid + r.rolled + r.held,
+                               " rocks hold up to steepest = ", setup_.steepest, " degrees")
+                     : message("tilt test: the layer holds up to steepest = ", setup_.steepest, " degrees"));
+      }
+      return std::vector{r.angle, r.failure_angle,
+                         r.slid > 0 ? r.slid_angle : std::numeric_limits<double>::quiet_NaN()};
+    });
   }
   void show(Workbench& bench) const override {
     TiltTest<> test{prepared(detail::conditions_of(bench)), {.step_safety = bench.step_safety()}};

@@ -10,8 +10,13 @@
 
 namespace scree::examples {
 
-Trials::Trials(const Plan& plan, Campaign campaign, double limit, std::size_t expected, bool show_progress)
-    : plan_{plan}, campaign_{std::move(campaign)}, limit_{limit}, expected_{expected} {
+Trials::Trials(const Plan& plan, Campaign campaign, double limit, std::size_t expected, bool show_progress,
+               double step_safety)
+    : plan_{plan},
+      campaign_{std::move(campaign)},
+      limit_{limit},
+      step_safety_{step_safety},
+      expected_{expected} {
   if (show_progress) {
     progress_.emplace();
   }
@@ -24,9 +29,10 @@ Job Trials::job(const PlannedExperiment& e, const std::vector<double>& parameter
   }
   Job job;
   job.key = message("scree ", SCREE_VERSION, " ", e.kind, " ", e.setup, " ", plan_.rock, values,
-                    " limit=", number_text(limit_), " seed=", seed);
-  job.work = [this, &e, sample = plan_.with(parameters), seed] {
-    return e.experiment->observe({.sample = sample, .seed = seed, .limit = limit_}, {});
+                    " limit=", number_text(limit_), " step=", number_text(step_safety_), " seed=", seed);
+  job.work = [this, &e, model = plan_.with(parameters), seed] {
+    return e.experiment->observe({.model = model, .seed = seed, .step_safety = step_safety_, .limit = limit_},
+                                 {});
   };
   return job;
 }
@@ -94,18 +100,14 @@ std::vector<RunOutcome> Trials::operator()(const std::vector<RunRequest>& reques
   return outcomes;
 }
 
-std::vector<std::vector<double>> Trials::replicates(std::size_t experiment,
-                                                    const std::vector<double>& parameters,
-                                                    const std::vector<std::uint64_t>& seeds) {
+std::vector<RunOutcome> Trials::replicates(const std::vector<Replicate>& wanted) {
   std::vector<Job> jobs;
-  for (const std::uint64_t seed : seeds) {
-    jobs.push_back(job(plan_.experiments[experiment], parameters, seed));
+  for (const Replicate& r : wanted) {
+    jobs.push_back(job(plan_.experiments[r.experiment], r.parameters, r.seed));
   }
-  std::vector<std::vector<double>> out;
+  std::vector<RunOutcome> out;
   for (JobOutcome& outcome : run(jobs)) {
-    if (outcome.failure.empty()) {
-      out.push_back(std::move(outcome.values));
-    }
+    out.push_back({std::move(outcome.values), std::move(outcome.failure)});
   }
   return out;
 }

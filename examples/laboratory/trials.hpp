@@ -21,15 +21,20 @@ class Trials {
 public:
   /// \param limit s of simulated time, beyond which a run counts as failed
   /// \param expected runs in all, for the estimate of the end
-  Trials(const Plan& plan, Campaign campaign, double limit, std::size_t expected, bool show_progress);
+  /// \param step_safety share of the critical time step
+  Trials(const Plan& plan, Campaign campaign, double limit, std::size_t expected, bool show_progress,
+         double step_safety = 0.8);
 
   [[nodiscard]] std::vector<RunOutcome> operator()(const std::vector<RunRequest>& requests);
 
-  /// All observables of one experiment of the plan, measured or not, for `seeds` runs at `parameters`; those
-  /// that failed are left out.
-  [[nodiscard]] std::vector<std::vector<double>> replicates(std::size_t experiment,
-                                                            const std::vector<double>& parameters,
-                                                            const std::vector<std::uint64_t>& seeds);
+  /// One experiment at some parameters.
+  struct Replicate {
+    std::size_t experiment;
+    const std::vector<double>& parameters;
+    std::uint64_t seed;
+  };
+  /// All observables of each, measured or not, and why there are none.
+  [[nodiscard]] std::vector<RunOutcome> replicates(const std::vector<Replicate>& wanted);
 
   [[nodiscard]] std::size_t done() const { return done_; }
   [[nodiscard]] std::size_t kept() const { return kept_; }
@@ -47,7 +52,7 @@ private:
 
   const Plan& plan_;
   Campaign campaign_;
-  double limit_;
+  double limit_, step_safety_;
   std::size_t expected_, done_ = 0, kept_ = 0, failed_ = 0;
   std::optional<Progress> progress_;
 };

@@ -131,7 +131,7 @@ private:
   [[nodiscard]] ex::Plan plan_of(const std::vector<std::string>& kinds, MassConvention convention) const {
     ex::RockOptions rock = rock_;
     rock.set_mass_convention(convention);
-    ex::Plan plan{.folder = {}, .sample = rock.sample(rig_), .rock = ex::text_of(rock, rig_)};
+    ex::Plan plan{.folder = {}, .model = {rock.sample(rig_)}, .rock = ex::text_of(rock, rig_)};
     for (const char* name : {"normal_stiffness", "friction"}) {
       plan.space.push_back({.name = name});
     }
@@ -146,14 +146,6 @@ private:
     return plan;
   }
 
-  std::vector<std::uint64_t> seeds() const {
-    std::vector<std::uint64_t> out(wish_.replicates);
-    for (std::size_t k = 0; k < out.size(); ++k) {
-      out[k] = wish_.seed + k;
-    }
-    return out;
-  }
-
   /// An observable at some parameters, in all replicates that came to an end.
   std::vector<double> observed(const ex::Plan& plan, ex::Trials& trials, const std::string& kind,
                                const std::string& observable, double stiffness, double friction) const {
@@ -163,9 +155,16 @@ private:
     while (observables[at].name != observable) {
       ++at;
     }
+    const std::vector<double> parameters{stiffness, friction};
+    std::vector<ex::Trials::Replicate> wanted;
+    for (std::uint64_t k = 0; k < wish_.replicates; ++k) {
+      wanted.push_back({e, parameters, wish_.seed + k});
+    }
     std::vector<double> values;
-    for (const auto& run : trials.replicates(e, {stiffness, friction}, seeds())) {
-      values.push_back(run[at]);
+    for (const RunOutcome& run : trials.replicates(wanted)) {
+      if (run.failure.empty()) {
+        values.push_back(run.observed[at]);
+      }
     }
     trials.close();
     if (values.size() < 2) {

@@ -49,6 +49,9 @@ void Options::parse(int argc, const char* const* argv) {
     if (e.value.index() == 2) {
       option->expected(0, 1); // the name alone says true
     }
+    if (e.repeatable) {
+      option->multi_option_policy(CLI::MultiOptionPolicy::Join)->delimiter(',');
+    }
   }
   try {
     app.parse(argc, argv);

@@ -52,6 +52,12 @@ public:
     entries_.push_back({std::move(name), group_, std::move(doc), from, {}, std::move(choices), &value});
   }
 
+  /// A text that may be given several times on the command line; a comma joins these.
+  void add_repeatable(std::string name, std::string& value, std::string doc) {
+    add(std::move(name), value, {}, std::move(doc));
+    entries_.back().repeatable = true;
+  }
+
   /// The value that command line or TOML file give to a text parameter that decides on the defaults of
   /// others, or none. \throws Error as `parse` does for a file that cannot be read.
   static std::optional<std::string> peek(int argc, const char* const* argv, const std::string& name);

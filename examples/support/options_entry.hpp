@@ -47,6 +47,7 @@ struct OptionsEntry {
   Range range;
   std::vector<std::string> choices;
   std::variant<double*, std::uint64_t*, bool*, std::string*, std::vector<double>*> value;
+  bool repeatable = false; ///< a text that may be given several times, which a comma then joins
 
   /// What the help shows for the value.
   [[nodiscard]] std::string kind() const {

@@ -24,6 +24,8 @@ inline void bind_fill(Options& options, FillRecipe& fill) {
   options.add("fill.surplus", fill.surplus, {0.001, 2.0}, "poured above the brim, of the volume");
   options.add("fill.expected_porosity", fill.expected_porosity, {0.05, 0.95}, "for how much to pour");
   options.add("fill.settling_damping", fill.settling_damping, {0.0, 0.99}, "local, while grains settle");
+  options.add("fill.packing_friction", fill.packing_friction, {1e-3, 1e3},
+              "times its own, the rock's friction while it is poured; below 1 it packs denser");
   bind_rest(options, "fill", fill.rest);
 }
 

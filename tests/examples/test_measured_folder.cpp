@@ -1,4 +1,4 @@
-#include "calibrate/measured_folder.hpp"
+#include "laboratory/measured_folder.hpp"
 #include "support/environment.hpp"
 #include "support/scratch_folder.hpp"
 
@@ -9,7 +9,7 @@
 #include <string>
 
 using namespace scree;
-using calibrate::read_plan;
+using examples::read_plan;
 
 namespace {
 
@@ -58,9 +58,9 @@ TEST_CASE("a folder of measurements is read: parameters, rock, experiments, repl
   CHECK(plan.space[0].name == "friction");
   CHECK(plan.space[0].least == 0.2);
   CHECK(plan.start[0] == doctest::Approx(0.53)); // the desk rock's own
-  CHECK(plan.sample.rock.density == 1700.0);
-  CHECK(plan.sample.rig.friction == 0.25);
-  CHECK(plan.with({0.4}).rock.friction == 0.4);
+  CHECK(plan.model.sample.rock.density == 1700.0);
+  CHECK(plan.model.sample.rig.friction == 0.25);
+  CHECK(plan.with({0.4}).sample.rock.friction == 0.4);
   REQUIRE(plan.experiments.size() == 1);
   const auto& heap = plan.experiments[0];
   CHECK(heap.kind == "angle_of_repose");

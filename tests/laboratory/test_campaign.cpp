@@ -59,6 +59,18 @@ TEST_CASE("a campaign does each run once, whatever the number of workers, and ke
   }
 }
 
+TEST_CASE("a campaign keeps that a run does not show some of its numbers") {
+  const test::ScratchFolder folder;
+  const std::vector<Job> jobs{{"half", [] { return std::vector{1.5, std::nan(""), -HUGE_VAL}; }}};
+  (void)Campaign{folder / "runs"}.run(jobs);
+  const auto again = Campaign{folder / "runs"}.run(jobs).front();
+  CHECK(again.kept);
+  REQUIRE(again.values.size() == 3);
+  CHECK(again.values[0] == 1.5);
+  CHECK(std::isnan(again.values[1]));
+  CHECK_FALSE(std::isfinite(again.values[2]));
+}
+
 TEST_CASE("a campaign that was ended goes on where it was") {
   const test::ScratchFolder folder;
   std::atomic<int> done{0};

@@ -7,6 +7,7 @@
 #include "scree/calibrate/posterior.hpp"
 #include "scree/calibrate/response_surface.hpp"
 #include "scree/calibrate/run_batch.hpp"
+#include "scree/calibrate/run_log.hpp"
 #include "scree/core/random.hpp"
 
 #include <boost/math/distributions/students_t.hpp>
@@ -17,7 +18,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -101,23 +101,23 @@ public:
   /// \throws Error where too few runs come to an end.
   JointFit fit(const RunBatch& batch) {
     Random random{setup_.seed, "calibration"};
-    do_runs(spread_over_space(random), batch, random);
+    RunLog log{space_, measured_};
+    log.make(spread_over_space(random), batch, random);
     Eigen::VectorXd estimate = Eigen::VectorXd::Constant(dimension(), 0.5);
     double reach = setup_.first_reach;
     while (true) {
-      const ResponseSurface response{runs_};
+      const ResponseSurface response{log.runs()};
       estimate = most_probable(measured_, response, prior_, estimate);
-      JointFit result = judged(response, estimate);
+      JointFit result = judged(log, response, estimate);
       if (result.runs + setup_.batch > setup_.most_runs || precise(result) || settled(result)) {
         return result;
       }
       reach = std::max(setup_.shrink * reach, worthwhile_reach(response, estimate));
-      do_runs(spread_around(estimate, 0.7 * reach, random), batch, random);
+      log.make(spread_around(estimate, 0.7 * reach, random), batch, random);
     }
   }
 
   [[nodiscard]] const std::vector<Parameter>& space() const { return space_; }
-  [[nodiscard]] const std::vector<Run>& runs() const { return runs_; }
 
 private:
   [[nodiscard]] Eigen::Index dimension() const { return static_cast<Eigen::Index>(space_.size()); }
@@ -157,53 +157,6 @@ private:
     return points;
   }
 
-  void do_runs(const std::vector<Eigen::VectorXd>& points, const RunBatch& batch, Random& random) {
-    std::vector<RunRequest> requests;
-    for (const Eigen::VectorXd& at : points) {
-      RunRequest request;
-      for (std::size_t k = 0; k < space_.size(); ++k) {
-        request.parameters.push_back(space_[k].value(at[static_cast<Eigen::Index>(k)]));
-      }
-      request.seed = random.index(std::size_t{1} << 53U);
-      requests.push_back(std::move(request));
-    }
-    const std::vector<RunOutcome> outcomes = batch(requests);
-    if (outcomes.size() != requests.size()) {
-      throw Error(message("calibration: ", outcomes.size(), " outcomes of ", requests.size(), " runs"));
-    }
-    for (std::size_t r = 0; r < outcomes.size(); ++r) {
-      ++asked_;
-      if (auto observed = compared(outcomes[r])) {
-        runs_.push_back({points[r], std::move(*observed)});
-      }
-    }
-  }
-
-  /// The observables as they are compared, or nothing for a run that failed.
-  [[nodiscard]] std::optional<Eigen::VectorXd> compared(const RunOutcome& outcome) {
-    std::string failure = outcome.failure;
-    if (failure.empty() && outcome.observed.size() != measured_.size()) {
-      failure = message("it has ", outcome.observed.size(), " observables where ", measured_.size(),
-                        " were measured");
-    }
-    Eigen::VectorXd out(static_cast<Eigen::Index>(measured_.size()));
-    for (std::size_t k = 0; failure.empty() && k < measured_.size(); ++k) {
-      const double value = measured_[k].compared(outcome.observed[k]);
-      if (!std::isfinite(value)) {
-        failure = message(measured_[k].name, " = ", outcome.observed[k], " cannot be compared");
-      }
-      out[static_cast<Eigen::Index>(k)] = value;
-    }
-    if (failure.empty()) {
-      return out;
-    }
-    ++failed_;
-    if (std::find(failures_.begin(), failures_.end(), failure) == failures_.end()) {
-      failures_.push_back(failure);
-    }
-    return std::nullopt;
-  }
-
   /// The reach below which runs would show more noise than answer.
   [[nodiscard]] double worthwhile_reach(const ResponseSurface& response, const Eigen::VectorXd& at) const {
     const Eigen::MatrixXd slopes = response.slopes(at);
@@ -220,7 +173,8 @@ private:
     return reach;
   }
 
-  [[nodiscard]] JointFit judged(const ResponseSurface& response, const Eigen::VectorXd& at) const {
+  [[nodiscard]] JointFit judged(const RunLog& log, const ResponseSurface& response,
+                                const Eigen::VectorXd& at) const {
     const Posterior posterior{measured_, response, prior_, at};
     JointFit out;
     for (Eigen::Index k = 0; k < dimension(); ++k) {
@@ -240,9 +194,9 @@ private:
     out.misfit = posterior.misfit();
     const Eigen::VectorXd residuals = posterior.standardised_residuals();
     out.residuals.assign(residuals.begin(), residuals.end());
-    out.runs = asked_;
-    out.failed = failed_;
-    out.failures = failures_;
+    out.runs = log.asked();
+    out.failed = log.failed();
+    out.failures = log.failures();
     return out;
   }
 
@@ -268,9 +222,6 @@ private:
   std::vector<Measured> measured_;
   JointFitSetup setup_;
   Prior prior_ = Prior::even(dimension());
-  std::vector<Run> runs_; // those that came to an end
-  std::size_t asked_ = 0, failed_ = 0;
-  std::vector<std::string> failures_;
 };
 
 } // namespace scree

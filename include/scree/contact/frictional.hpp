@@ -184,6 +184,10 @@ public:
   [[nodiscard]] const E& extension() const {
     return std::get<E>(extensions_);
   }
+  template <class E>
+  [[nodiscard]] E& extension() {
+    return std::get<E>(extensions_);
+  }
 
   void check(const PairMaterial<double>& pair, std::string_view names) const {
     NormalModel::check(pair, names);

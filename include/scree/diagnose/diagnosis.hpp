@@ -55,7 +55,8 @@ struct Ranked {
     double value, low, high;
   };
   std::vector<Interval> parameters{}; ///< of its causes, in their units
-  std::vector<double> base{};         ///< base parameters, in their units, at its best point
+  std::vector<double> values{};       ///< of the whole space, in their units, at its best point
+  std::vector<double> simulated{};    ///< observables there, as compared
 };
 
 struct Diagnosis {
@@ -285,8 +286,9 @@ private:
         };
         one.parameters.push_back({at, value(0.5), value(outside), value(1.0 - outside)});
       }
-      const std::vector<double> values = space_.values(best_point(h));
-      one.base.assign(values.begin(), values.begin() + space_.base());
+      one.values = space_.values(best_point(h));
+      const Eigen::VectorXd& mean = hypotheses_[h].points()[seen_[h].best].local.mean;
+      one.simulated.assign(mean.begin(), mean.end());
       out.ranking.push_back(std::move(one));
     }
   }

@@ -13,11 +13,13 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <cstddef>
 #include <exception>
 #include <filesystem>
 #include <functional>
 #include <istream>
+#include <limits>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -41,9 +43,9 @@ struct Job {
 };
 
 struct JobOutcome {
-  std::vector<double> values{};
-  std::string failure{}; ///< why there are no values
-  bool kept = false;     ///< it was there already
+  std::vector<double> values{}; ///< a number that is none stands for what the run does not show
+  std::string failure{};        ///< why there are no values
+  bool kept = false;            ///< it was there already
 };
 
 /// The processes that do a campaign together; by default only this one.
@@ -140,6 +142,7 @@ public:
 
 private:
   static constexpr const char* first_line = "scree run, format 1";
+  static constexpr const char* no_number = "none"; // of an observable that the run does not have
 
   static void check(const std::string& key) {
     if (key.empty() || key.find_first_of("\r\n") != std::string::npos) {
@@ -224,7 +227,7 @@ private:
       text += message("failure ", outcome.failure, "\n");
     }
     for (const double value : outcome.values) {
-      text += message("value ", number_text(value), "\n");
+      text += message("value ", std::isfinite(value) ? number_text(value) : no_number, "\n");
     }
     return text + "end\n";
   }
@@ -238,6 +241,8 @@ private:
       }
       if (line.rfind("failure ", 0) == 0) {
         outcome.failure = line.substr(8);
+      } else if (line == message("value ", no_number)) {
+        outcome.values.push_back(std::numeric_limits<double>::quiet_NaN());
       } else if (const auto value = line.rfind("value ", 0) == 0
                                         ? parse_number(std::string_view{line}.substr(6))
                                         : std::nullopt) {

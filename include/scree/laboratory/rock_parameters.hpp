@@ -1,13 +1,15 @@
 #pragma once
 /// \file
-/// The numbers of a rock sample that a calibration may look for, by name.
+/// The numbers of a rock model that may be looked for, by name.
 
 #include "scree/core/error.hpp"
-#include "scree/laboratory/rock_sample.hpp"
+#include "scree/laboratory/rock_model.hpp"
 
 #include <array>
+#include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace scree {
 
@@ -15,36 +17,82 @@ struct RockParameter {
   std::string_view name;
   std::string_view unit;
   bool logarithmic; ///< whether its effect goes by its proportion
-  double (*get)(const RockSample&);
-  void (*set)(RockSample&, double);
+  double (*get)(const RockModel&);
+  void (*set)(RockModel&, double);
 };
+
+namespace detail {
+
+/// The share of one shape, at the cost of all others in proportion.
+inline void set_share(Assembly& assembly, std::size_t shape, double share) {
+  std::vector<ShapeFraction> shapes = assembly.shapes();
+  const double others = 1.0 - shapes[shape].fraction;
+  for (std::size_t k = 0; k < shapes.size(); ++k) {
+    shapes[k].fraction *= k == shape ? share / shapes[k].fraction : (1.0 - share) / others;
+  }
+  shapes[shape].fraction = share;
+  assembly = Assembly{std::move(shapes), assembly.size_factor()};
+}
+
+} // namespace detail
 
 /// The stiffness of the rock takes its shear stiffness along, and that of the rig, in proportion.
 inline constexpr std::array rock_parameters{
-    RockParameter{"particle_density", "kg/m3", true, [](const RockSample& s) { return s.rock.density; },
-                  [](RockSample& s, double value) { s.rock.density = value; }},
+    RockParameter{"particle_density", "kg/m3", true, [](const RockModel& m) { return m.sample.rock.density; },
+                  [](RockModel& m, double value) { m.sample.rock.density = value; }},
     RockParameter{"normal_stiffness", "N/m", true,
-                  [](const RockSample& s) { return s.rock.normal_stiffness; },
-                  [](RockSample& s, double value) {
-                    const double factor = value / s.rock.normal_stiffness;
-                    for (Material* m : {&s.rock, &s.rig}) {
-                      m->normal_stiffness *= factor;
-                      m->shear_stiffness *= factor;
+                  [](const RockModel& m) { return m.sample.rock.normal_stiffness; },
+                  [](RockModel& m, double value) {
+                    const double factor = value / m.sample.rock.normal_stiffness;
+                    for (Material* material : {&m.sample.rock, &m.sample.rig}) {
+                      material->normal_stiffness *= factor;
+                      material->shear_stiffness *= factor;
                     }
                   }},
-    RockParameter{"shear_ratio", "", false,
-                  [](const RockSample& s) { return s.rock.shear_stiffness / s.rock.normal_stiffness; },
-                  [](RockSample& s, double value) {
-                    for (Material* m : {&s.rock, &s.rig}) {
-                      m->shear_stiffness = value * m->normal_stiffness;
-                    }
+    RockParameter{
+        "shear_ratio", "", false,
+        [](const RockModel& m) { return m.sample.rock.shear_stiffness / m.sample.rock.normal_stiffness; },
+        [](RockModel& m, double value) {
+          for (Material* material : {&m.sample.rock, &m.sample.rig}) {
+            material->shear_stiffness = value * material->normal_stiffness;
+          }
+        }},
+    RockParameter{"friction", "", false, [](const RockModel& m) { return m.sample.rock.friction; },
+                  [](RockModel& m, double value) { m.sample.rock.friction = value; }},
+    RockParameter{"rig_friction", "", false, [](const RockModel& m) { return m.sample.rig.friction; },
+                  [](RockModel& m, double value) { m.sample.rig.friction = value; }},
+    RockParameter{
+        "restitution", "", false, [](const RockModel& m) { return m.sample.rock.restitution; },
+        [](RockModel& m, double value) { m.sample.rock.restitution = m.sample.rig.restitution = value; }},
+    RockParameter{"rolling_friction", "", false,
+                  [](const RockModel& m) { return m.sample.rock.rolling_friction; },
+                  [](RockModel& m, double value) {
+                    m.sample.rock.rolling_friction = m.sample.rig.rolling_friction = value;
                   }},
-    RockParameter{"friction", "", false, [](const RockSample& s) { return s.rock.friction; },
-                  [](RockSample& s, double value) { s.rock.friction = value; }},
-    RockParameter{"rig_friction", "", false, [](const RockSample& s) { return s.rig.friction; },
-                  [](RockSample& s, double value) { s.rig.friction = value; }},
-    RockParameter{"restitution", "", false, [](const RockSample& s) { return s.rock.restitution; },
-                  [](RockSample& s, double value) { s.rock.restitution = s.rig.restitution = value; }},
+    RockParameter{"adhesion", "J/m2", false,
+                  [](const RockModel& m) { return m.law.extension<Adhesion>().work; },
+                  [](RockModel& m, double value) { m.law.extension<Adhesion>().work = value; }},
+    RockParameter{"normal_exponent", "", false,
+                  [](const RockModel& m) { return m.law.extension<NormalExponent>().exponent; },
+                  [](RockModel& m, double value) { m.law.extension<NormalExponent>().exponent = value; }},
+    RockParameter{"unloading_ratio", "", false,
+                  [](const RockModel& m) { return m.law.extension<NormalHysteresis>().ratio; },
+                  [](RockModel& m, double value) { m.law.extension<NormalHysteresis>().ratio = value; }},
+    RockParameter{"friction_rate", "s/m", false,
+                  [](const RockModel& m) { return m.law.extension<RateFriction>().slope; },
+                  [](RockModel& m, double value) { m.law.extension<RateFriction>().slope = value; }},
+    RockParameter{"attrition", "1/J", false,
+                  [](const RockModel& m) { return m.law.extension<Attrition>().rate; },
+                  [](RockModel& m, double value) { m.law.extension<Attrition>().rate = value; }},
+    RockParameter{"packing_friction", "", false, [](const RockModel& m) { return m.packing_friction; },
+                  [](RockModel& m, double value) { m.packing_friction = value; }},
+    RockParameter{"size_factor", "", true, [](const RockModel& m) { return m.sample.assembly.size_factor(); },
+                  [](RockModel& m, double value) {
+                    m.sample.assembly = Assembly{m.sample.assembly.shapes(), value};
+                  }},
+    RockParameter{"first_shape_share", "", false,
+                  [](const RockModel& m) { return m.sample.assembly.shapes().front().fraction; },
+                  [](RockModel& m, double value) { detail::set_share(m.sample.assembly, 0, value); }},
 };
 
 /// \throws Error for a name that is none of them.

@@ -42,9 +42,12 @@ struct RoundContainer {
 
 /// How a container is filled. All numbers are ours.
 struct FillRecipe {
-  double surplus = 0.25;              ///< of the volume, poured above the brim and struck off, above 0
-  double expected_porosity = 0.45;    ///< for how much to pour, 0.05 to 0.95
-  double settling_damping = 0.3;      ///< local, while the grains come to rest, 0 to 0.99
+  double surplus = 0.25;           ///< of the volume, poured above the brim and struck off, above 0
+  double expected_porosity = 0.45; ///< for how much to pour, 0.05 to 0.95
+  double settling_damping = 0.3;   ///< local, while the grains come to rest, 0 to 0.99
+  /// Times its own, the friction of the rock until it is struck off, above 0: less than 1 packs it denser, as
+  /// tamping does, more than 1 looser.
+  double packing_friction = 1.0;
   RestCriterion rest{.moving = 0.01}; ///< of the grains when the container is full
 
   /// \throws Error for a value out of its range.
@@ -52,6 +55,7 @@ struct FillRecipe {
     require_positive("fill surplus", surplus);
     require("fill expected porosity", expected_porosity, {0.05, 0.95});
     require("fill settling damping", settling_damping, {0.0, 0.99});
+    require("fill packing friction", packing_friction, {1e-3, 1e3});
     rest.check();
   }
 };
@@ -96,7 +100,16 @@ FillReport fill_container(Simulation& simulation, const RoundContainer& containe
   };
   RestCriterion poured = recipe.rest;
   poured.moving = 1.0; // what still rolls over the surface is struck off
+  const Material own = simulation.materials().at(rock);
+  if (recipe.packing_friction != 1.0) {
+    Material poured_rock = own;
+    poured_rock.friction *= recipe.packing_friction;
+    simulation.change_material(rock, poured_rock);
+  }
   require_rest("fill", settle(simulation, recipe.settling_damping, poured, fall, observe), poured);
+  if (recipe.packing_friction != 1.0) {
+    simulation.change_material(rock, own);
+  }
 
   const double brim = container.height;
   double above = 0.0; // m3 of solid

@@ -1,4 +1,4 @@
-#include "calibrate/measured_folder.hpp"
+#include "laboratory/measured_folder.hpp"
 
 #include "scree/io/csv.hpp"
 #include "scree/laboratory/rock_parameters.hpp"
@@ -13,14 +13,9 @@
 #include <set>
 #include <utility>
 
-namespace calibrate {
+namespace scree::examples {
 
 namespace {
-
-using namespace scree;
-namespace ex = scree::examples;
-using ex::Plan;
-using ex::PlannedExperiment;
 
 /// One calibration.toml, and how its faults are told.
 struct Source {
@@ -41,11 +36,17 @@ struct Source {
     }
     return *node.value<std::string>();
   }
+  [[nodiscard]] bool truth(const toml::node& node, const std::string& name) const {
+    if (!node.is_boolean()) {
+      refuse(node, message(name, " must be true or false"));
+    }
+    return *node.value<bool>();
+  }
   [[nodiscard]] double number(const toml::node& node, const std::string& name) const {
     if (!node.is_number()) {
       refuse(node, message(name, " must be a number"));
     }
-    return ex::detail::toml_number_of(node);
+    return detail::toml_number_of(node);
   }
   [[nodiscard]] std::vector<std::string> texts(const toml::node& node, const std::string& name) const {
     std::vector<std::string> out;
@@ -72,16 +73,16 @@ toml::table without(const toml::table& table, const std::set<std::string>& keys)
 
 /// A plan without parameters and experiments.
 Plan read_rock(const Source& source, const std::filesystem::path& folder, const toml::table& top, bool desk) {
-  ex::RockOptions rock{desk};
-  ex::Options options{"calibrate", ""};
+  RockOptions rock{desk};
+  Options options{"calibrate", ""};
   Material rig = rock.rig();
-  ex::bind(options, rock, rig);
+  bind(options, rock, rig);
   for (const char* name : {"rock", "rig"}) {
     if (const toml::node* node = top.get(name)) {
-      ex::detail::read_toml(options.entries(), source.table(*node, name), message(name, "."), source.file);
+      detail::read_toml(options.entries(), source.table(*node, name), message(name, "."), source.file);
     }
   }
-  return {.folder = folder, .sample = rock.sample(rig), .rock = ex::text_of(rock, rig)};
+  return {.folder = folder, .model = {rock.sample(rig)}, .rock = text_of(rock, rig)};
 }
 
 void read_parameters(const Source& source, const toml::table& parameters, Plan& plan) {
@@ -110,7 +111,7 @@ void read_parameters(const Source& source, const toml::table& parameters, Plan& 
       source.refuse(node, message("parameters.", name, " needs bounds: least and most"));
     }
     if (std::isnan(start)) {
-      start = known->get(plan.sample);
+      start = known->get(plan.model);
     }
     try {
       parameter.check();
@@ -130,10 +131,10 @@ void read_data(const std::filesystem::path& file, PlannedExperiment& e) {
   const auto observables = e.experiment->observables();
   for (const std::string& column : data.columns) {
     const auto found = std::find_if(observables.begin(), observables.end(),
-                                    [&](const ex::Observable& o) { return o.name == column; });
+                                    [&](const Observable& o) { return o.name == column; });
     if (found == observables.end()) {
       std::string known;
-      for (const ex::Observable& o : observables) {
+      for (const Observable& o : observables) {
         known += message(known.empty() ? "" : ", ", o.name);
       }
       throw Error(message(file.string(), ": column ", column, " is nothing that the experiment '", e.kind,
@@ -190,16 +191,19 @@ void read_experiment(const Source& source, const std::string& name, const toml::
   const toml::node* kind = table.get("kind");
   e.kind = kind != nullptr ? source.text(*kind, "kind") : name;
   try {
-    e.experiment = ex::make_experiment(e.kind, desk);
+    e.experiment = make_experiment(e.kind, desk);
   } catch (const Error& error) {
     source.refuse(node, error.what());
   }
-  ex::Options options{"calibrate", ""};
+  Options options{"calibrate", ""};
   e.experiment->bind(options);
-  const std::set<std::string> own{"kind", "data", "curves", "curve", "use", "standard_error"};
-  ex::detail::read_toml(options.entries(), without(table, own), "", source.file);
+  const std::set<std::string> own{"kind", "data", "curves", "curve", "use", "standard_error", "held_out"};
+  detail::read_toml(options.entries(), without(table, own), "", source.file);
   e.setup = options.json().dump();
 
+  if (const toml::node* held_out = table.get("held_out")) {
+    e.held_out = source.truth(*held_out, "held_out");
+  }
   const toml::node *data = table.get("data"), *curves = table.get("curves");
   if ((data == nullptr) == (curves == nullptr)) {
     source.refuse(node, message("experiments.", name, " needs either data or curves"));
@@ -279,9 +283,9 @@ void default_steps(Plan& plan) {
 
 } // namespace
 
-ex::Plan read_plan(const std::filesystem::path& folder, Data data) {
+Plan read_plan(const std::filesystem::path& folder, Data data) {
   const Source source{(folder / "calibration.toml").string()};
-  const toml::table top = ex::detail::parsed_toml(source.file);
+  const toml::table top = detail::parsed_toml(source.file);
   static const std::set<std::string_view> known{"fidelity", "parameters", "rock", "rig", "experiments"};
   for (const auto& [key, node] : top) {
     if (!known.contains(key.str())) {
@@ -310,8 +314,10 @@ ex::Plan read_plan(const std::filesystem::path& folder, Data data) {
     const std::string name{key.str()};
     read_experiment(source, name, source.table(node, "experiments." + name), node, desk, data, plan);
   }
+  std::stable_partition(plan.experiments.begin(), plan.experiments.end(),
+                        [](const PlannedExperiment& e) { return !e.held_out; });
   default_steps(plan);
   return plan;
 }
 
-} // namespace calibrate
+} // namespace scree::examples

@@ -6,13 +6,14 @@
 
 #include <filesystem>
 
-namespace calibrate {
+namespace scree::examples {
 
 /// Whether the tables of what was measured are read too.
 enum class Data { all, none };
 
-/// Reads `folder`/calibration.toml and the tables that it names; README.md beside this file has the format.
+/// Reads `folder`/calibration.toml and the tables that it names; examples/calibrate/README.md has the format.
+/// Experiments that are held out come last.
 /// \throws Error with file and line for whatever cannot be.
-scree::examples::Plan read_plan(const std::filesystem::path& folder, Data data = Data::all);
+Plan read_plan(const std::filesystem::path& folder, Data data = Data::all);
 
-} // namespace calibrate
+} // namespace scree::examples

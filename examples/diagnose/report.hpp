@@ -1,0 +1,39 @@
+#pragma once
+/// \file
+/// What a diagnosis says, for people and for programs.
+
+#include "laboratory/plan.hpp"
+
+#include "scree/calibrate/measured.hpp"
+#include "scree/calibrate/run_log.hpp"
+#include "scree/diagnose/diagnosis.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <vector>
+
+namespace diagnose {
+
+/// All that a report is made of.
+struct Case {
+  const scree::ModelSpace& space;
+  const std::vector<scree::Measured>& fitted;
+  const std::vector<scree::Measured>& held_out;
+  const scree::Diagnosis& diagnosis;
+  const scree::RunLog& log;
+  double seconds; ///< that it took
+};
+
+/// The verdict in one sentence.
+std::string sentence(const Case& c);
+/// The type to write for the model with the causes named, and their parameters; empty where none is.
+std::vector<std::string> model_to_write(const Case& c);
+/// What to measure next; empty where nothing is left open.
+std::string next_experiment(const Case& c);
+
+nlohmann::ordered_json verdict(const Case& c);
+/// One HTML page that needs nothing beside it.
+std::string page(const Case& c);
+
+} // namespace diagnose

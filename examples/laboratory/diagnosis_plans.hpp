@@ -1,0 +1,23 @@
+#pragma once
+/// \file
+/// Experiments that tell causes apart, as texts of calibration.toml.
+
+#include "laboratory/measurements.hpp"
+
+#include <string>
+#include <vector>
+
+namespace scree::examples {
+
+struct DiagnosisPlan {
+  std::string name;
+  std::string toml;
+  std::vector<Reading> readings; ///< of each of its experiments
+};
+
+/// "desk": rock, a few seconds for all experiments once. "mini": some tens of grains, less than a second, for
+/// those who diagnose hundreds of data sets.
+/// \throws Error for another name.
+const DiagnosisPlan& diagnosis_plan(const std::string& name);
+
+} // namespace scree::examples

@@ -1,0 +1,29 @@
+#pragma once
+/// \file
+/// What may be hidden in made data.
+
+#include "laboratory/plan.hpp"
+
+#include "scree/calibrate/parameter.hpp"
+#include "scree/core/random.hpp"
+
+#include <string>
+#include <vector>
+
+namespace make_measured {
+
+/// A parameter of the rock that the laboratory has and the base model has not.
+struct Effect {
+  std::string name; ///< as in verdicts
+  scree::Parameter parameter;
+  double value = 0.0;
+};
+
+/// Reads "NAME=VALUE,NAME=auto".
+/// \param plan whose rock has the null values
+/// \param sizes where sizes are drawn from
+/// \throws Error for a name that is none, or a value out of range.
+std::vector<Effect> effects_in(const std::string& text, const scree::examples::Plan& plan,
+                               scree::Random& sizes);
+
+} // namespace make_measured

@@ -1,0 +1,3 @@
+#include "support/extended_simulation.hpp"
+
+template class scree::Simulation<scree::ExtendedModel>;
