@@ -35,7 +35,7 @@ struct Wish {
   std::string reference, out;
   bool resume = false;
   std::vector<double> tests{1.0, 5.0, 8.0, 12.0};
-  std::vector<double> stiffnesses{50.0, 100.0, 200.0, 400.0, 800.0};
+  std::vector<double> stiffnesses{100.0, 200.0, 400.0, 800.0, 1600.0};
   std::uint64_t replicates = 3, seed = 1, workers = 0;
 };
 

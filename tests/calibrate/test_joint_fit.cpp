@@ -63,7 +63,7 @@ RunOutcome failed(std::string reason) {
 
 } // namespace
 
-TEST_CASE("a joint fit finds what data were made with, and its intervals hold as often as they say") {
+TEST_CASE("hidden-effects: a joint fit finds what data were made with, and its intervals hold as often as they say") {
   Random random{11};
   std::size_t held = 0, asked = 0;
   double density = 0.0, stiffness = 0.0, friction = 0.0;

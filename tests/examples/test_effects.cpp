@@ -1,0 +1,99 @@
+#include "diagnose/catalogue.hpp"
+#include "laboratory/diagnosis_plans.hpp"
+#include "laboratory/measured_folder.hpp"
+#include "make_measured/effects.hpp"
+#include "support/scratch_folder.hpp"
+
+#include "scree/io/atomic_file.hpp"
+#include "scree/laboratory/rock_parameters.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <string>
+
+using namespace scree;
+
+namespace {
+
+examples::Plan mini() {
+  const test::ScratchFolder scratch;
+  write_atomically(scratch.path() / "calibration.toml", examples::diagnosis_plan("mini").toml);
+  return examples::read_plan(scratch.path(), examples::Data::none);
+}
+
+std::string complaint(const std::string& effects) {
+  Random random{1};
+  try {
+    (void)make_measured::effects_in(effects, mini(), random);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+} // namespace
+
+TEST_CASE("effects are read with values in their units or drawn from the seed, and each has its cause") {
+  const examples::Plan plan = mini();
+  Random random{1}, again{1};
+  const auto given = make_measured::effects_in("adhesion=1.5,damping=0.3", plan, random);
+  REQUIRE(given.size() == 2);
+  CHECK(given[0].parameter.name == "adhesion");
+  CHECK(given[0].value == 1.5);
+  CHECK(given[1].parameter.name == "restitution");
+  const auto drawn = make_measured::effects_in("size_scale=auto", plan, random);
+  CHECK(drawn[0].value == make_measured::effects_in("size_scale=auto", plan, again)[0].value);
+  CHECK(drawn[0].value > plan.model.sample.assembly.size_factor());
+
+  for (const Cause& cause : diagnose::catalogue(plan, "")) {
+    CAPTURE(cause.name);
+    const auto effect = make_measured::effects_in(cause.name + "=auto", plan, random).front();
+    CHECK(effect.parameter.name == cause.parameters.front().name);
+    CHECK(effect.value != doctest::Approx(cause.null.front()).epsilon(0.05));
+    CHECK(effect.value > cause.parameters.front().least);
+    CHECK(effect.value < cause.parameters.front().most);
+  }
+}
+
+TEST_CASE("effects that make no sense are refused") {
+  CHECK(complaint("wind=3").find(
+            "effect = wind=3: there is no effect 'wind'; there are rolling_resistance") == 0);
+  CHECK(complaint("adhesion") == "effect = adhesion: '' is neither a number nor auto");
+  CHECK(complaint("damping=2") == "effect damping = 2 is outside [0.01, 1]");
+  CHECK(complaint("particle_density=2000") ==
+        "effect = particle_density=2000: particle_density is a base parameter of this plan");
+}
+
+TEST_CASE("the catalogue has the null values of the plan's rock, and leaves out what is looked for anyway") {
+  const examples::Plan plan = mini();
+  const auto causes = diagnose::catalogue(plan, "");
+  CHECK(causes.size() >= 11);
+  CHECK(std::none_of(causes.begin(), causes.end(),
+                     [](const Cause& c) { return c.name == "particle_density"; }));
+  for (const Cause& cause : causes) {
+    CAPTURE(cause.name);
+    RockModel model = plan.model;
+    const RockParameter& parameter = rock_parameter(cause.parameters.front().name);
+    parameter.set(model, 0.5 * (cause.null.front() + cause.parameters.front().most));
+    CHECK(parameter.get(model) ==
+          doctest::Approx(0.5 * (cause.null.front() + cause.parameters.front().most)));
+    parameter.set(model, cause.null.front());
+    CHECK(parameter.get(model) == parameter.get(plan.model));
+    CHECK_FALSE(model.extended());
+  }
+  CHECK(diagnose::catalogue(plan, "damping,adhesion").size() == 2);
+  CHECK_THROWS_WITH_AS(diagnose::catalogue(plan, "damping,wind"), doctest::Contains("there is no 'wind'"),
+                       Error);
+}
+
+TEST_CASE("held-out experiments come last, and a calibration drops them") {
+  examples::Plan plan = mini();
+  REQUIRE(plan.experiments.size() == 10);
+  CHECK_FALSE(plan.experiments[7].held_out);
+  CHECK(plan.experiments[8].held_out);
+  CHECK(plan.experiments[9].held_out);
+  plan.drop_held_out();
+  CHECK(plan.experiments.size() == 8);
+  CHECK(plan.remarks.back() == "stronger is held out, and not looked at");
+}
