@@ -3,6 +3,7 @@
 
 #include "calibrate/closed_loop.hpp"
 #include "calibrate/report.hpp"
+#include "laboratory/before_and_after.hpp"
 #include "laboratory/measured_folder.hpp"
 #include "laboratory/trials.hpp"
 
@@ -108,8 +109,7 @@ private:
       found = jointly(plan, trials, truth);
     }
     if (wish_.draw) {
-      const std::string complaints =
-          calibrate::draw_before_and_after(plan, trials, plan.start, found, folder_);
+      const std::string complaints = ex::draw_before_and_after(plan, trials, plan.start, found, folder_);
       trials.close();
       fmt::print(stderr, "{}", complaints);
     }

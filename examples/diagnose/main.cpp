@@ -1,8 +1,9 @@
 /// \brief Says what a simulation gets wrong beside measured data, and why.
-/// \smoke --help
+/// \smoke --measured @PROJECT_SOURCE_DIR@/tests/examples/measured/immersion --runs 30 --first_runs 30
 
 #include "diagnose/catalogue.hpp"
 #include "diagnose/report.hpp"
+#include "laboratory/before_and_after.hpp"
 #include "laboratory/measured_folder.hpp"
 #include "laboratory/trials.hpp"
 
@@ -35,7 +36,7 @@ using Json = nlohmann::ordered_json;
 
 struct Wish {
   std::string measured, out, kept, causes;
-  bool resume = false;
+  bool resume = false, apply = false;
   std::uint64_t runs = 96, first_runs = 72, active = 2, fit_seed = 1, workers = 0;
   double limit = 300.0;
   DiagnosisSetup setup{};
@@ -50,6 +51,8 @@ void bind(ex::Options& options, Wish& w) {
       "kept", w.kept, {},
       "folder that keeps every run, which several diagnoses may use one after another; none: runs/ in the "
       "folder for the results");
+  options.add("apply", w.apply,
+              "run every experiment again with the base model and with what is named, and draw both");
   options.add("causes", w.causes, {}, "to be considered, with commas between them; none: all that there are");
   options.add("runs", w.runs, {20.0, 1e6}, "of all experiments at most");
   options.add("first_runs", w.first_runs, {20.0, 1e6},
@@ -123,6 +126,14 @@ void work(const Wish& wish, const ex::Options& options, ex::CrewOfProgram& crew)
   fmt::print("{}\n{}\n", diagnose::sentence(c), diagnosis.reason);
   for (const std::string& line : diagnose::model_to_write(c)) {
     fmt::print("  {}\n", line);
+  }
+  if (wish.apply && !diagnosis.named.empty()) {
+    const auto base = std::find_if(diagnosis.ranking.begin(), diagnosis.ranking.end(),
+                                   [](const Ranked& r) { return r.causes.empty(); });
+    const std::string complaints = ex::draw_before_and_after(
+        plan, trials, base->values, diagnosis.ranking[diagnosis.named.front()].values, folders.own);
+    trials.close();
+    fmt::print(stderr, "{}", complaints);
   }
   fmt::print("results: {}\n", folders.own.string());
 }

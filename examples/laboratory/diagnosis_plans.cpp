@@ -2,15 +2,13 @@
 
 #include "scree/core/error.hpp"
 
-#include <array>
-
 namespace scree::examples {
 
 namespace {
 
 // All numbers are ours. Bounds are wider than what is drawn, so that the truth is not at the edge of the
 // space.
-constexpr const char* desk_rock_of = R"(# Simulations stand for a laboratory.
+constexpr const char* desk = R"(# Simulations stand for a laboratory.
 fidelity = "desk"
 
 [parameters.particle_density] # kg/m3
@@ -24,9 +22,7 @@ most = 2.5e5
 [parameters.friction]
 least = 0.15
 most = 0.9
-)";
 
-constexpr const char* desk = R"(
 [experiments.immersion]
 batch.grains = 4000
 data = "immersion.csv"
@@ -199,18 +195,16 @@ std::vector<Reading> readings(std::size_t replicates) {
           {"rising_funnel", replicates, 0.0, 0.5},   {"stronger", replicates, 1e-2, 0.0}};
 }
 
-const std::array plans{DiagnosisPlan{"desk", std::string{desk_rock_of} + desk, readings(6)},
-                       DiagnosisPlan{"mini", mini, readings(6)}};
-
 } // namespace
 
-const DiagnosisPlan& diagnosis_plan(const std::string& name) {
-  for (const DiagnosisPlan& plan : plans) {
-    if (plan.name == name) {
-      return plan;
-    }
+DiagnosisPlan diagnosis_plan(const std::string& name, std::size_t replicates) {
+  if (name == "desk") {
+    return {name, desk, readings(replicates)};
   }
-  throw Error(message("there is no plan '", name, "' of experiments"));
+  if (name == "mini") {
+    return {name, mini, readings(replicates)};
+  }
+  throw Error(message("there is no plan '", name, "' of experiments; there are desk and mini"));
 }
 
 } // namespace scree::examples

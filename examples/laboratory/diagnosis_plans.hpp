@@ -4,6 +4,7 @@
 
 #include "laboratory/measurements.hpp"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,6 @@ struct DiagnosisPlan {
 /// "desk": rock, a few seconds for all experiments once. "mini": some tens of grains, less than a second, for
 /// those who diagnose hundreds of data sets.
 /// \throws Error for another name.
-const DiagnosisPlan& diagnosis_plan(const std::string& name);
+DiagnosisPlan diagnosis_plan(const std::string& name, std::size_t replicates);
 
 } // namespace scree::examples

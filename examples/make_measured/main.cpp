@@ -1,5 +1,5 @@
 /// \brief Makes data as a laboratory would, with effects in them that a base model does not have.
-/// \smoke --help
+/// \smoke --plan @PROJECT_SOURCE_DIR@/tests/examples/measured/immersion --replicates 2
 
 #include "laboratory/diagnosis_plans.hpp"
 #include "laboratory/measured_folder.hpp"
@@ -11,11 +11,12 @@
 
 #include "scree/core/random.hpp"
 #include "scree/io/atomic_file.hpp"
+#include "scree/io/read_text.hpp"
 #include "scree/laboratory/campaign.hpp"
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <exception>
@@ -31,8 +32,8 @@ using Json = nlohmann::ordered_json;
 
 struct Wish {
   std::string effects, out, kept, plan = "desk";
-  std::uint64_t seed = 1, workers = 0;
-  double limit = 300.0;
+  std::uint64_t seed = 1, workers = 0, replicates = 6;
+  double limit = 300.0, reading_error = 5e-3;
 };
 
 void bind(ex::Options& options, Wish& w) {
@@ -43,16 +44,32 @@ void bind(ex::Options& options, Wish& w) {
   options.add("out", w.out, {},
               "folder for measured/ and, apart from it, truth.json; none: results/make_measured-K");
   options.add("kept", w.kept, {}, "folder that keeps every run; none: runs/ in the folder for the results");
-  options.add("plan", w.plan, {"desk", "mini"}, "the experiments: of rock, or of some tens of softer grains");
+  options.add("plan", w.plan, {},
+              "the experiments: desk, of rock; mini, of some tens of softer grains; or a folder with "
+              "calibration.toml");
+  options.add("replicates", w.replicates, {2.0, 1e4}, "of each experiment");
+  options.add("reading_error", w.reading_error, {0.0, 1.0}, "relative, of a folder's experiments");
   options.add("seed", w.seed, {0.0, 9e15}, "of the rock, of specimens, readings and sizes of effects");
   options.add("limit", w.limit, {1e-3, 1e6, "s"}, "of simulated time of one run");
   options.add("workers", w.workers, {0.0, 1024.0}, "runs side by side; 0: one for each processor");
 }
 
+ex::DiagnosisPlan plan_of(const Wish& wish) {
+  if (!std::filesystem::is_directory(wish.plan)) {
+    return ex::diagnosis_plan(wish.plan, wish.replicates);
+  }
+  ex::DiagnosisPlan out{
+      wish.plan, read_text(std::filesystem::path{wish.plan} / "calibration.toml", std::size_t{1} << 20U), {}};
+  for (const ex::PlannedExperiment& e : ex::read_plan(wish.plan, ex::Data::none).experiments) {
+    out.readings.push_back({e.name, wish.replicates, wish.reading_error, 0.0});
+  }
+  return out;
+}
+
 void make(const Wish& wish, const ex::Options& options, ex::CrewOfProgram& crew) {
   const ex::CrewFolders folders = crew.folders(wish.out, "make_measured", false);
   options.write_toml(folders.own / "input.toml");
-  const ex::DiagnosisPlan& wanted = ex::diagnosis_plan(wish.plan);
+  const ex::DiagnosisPlan wanted = plan_of(wish);
   const auto measured = folders.own / "measured";
   std::filesystem::create_directories(measured);
   write_atomically(measured / "calibration.toml", wanted.toml);

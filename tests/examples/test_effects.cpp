@@ -18,7 +18,7 @@ namespace {
 
 examples::Plan mini() {
   const test::ScratchFolder scratch;
-  write_atomically(scratch.path() / "calibration.toml", examples::diagnosis_plan("mini").toml);
+  write_atomically(scratch.path() / "calibration.toml", examples::diagnosis_plan("mini", 6).toml);
   return examples::read_plan(scratch.path(), examples::Data::none);
 }
 
