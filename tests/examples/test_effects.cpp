@@ -78,9 +78,10 @@ TEST_CASE("the catalogue has the null values of the plan's rock, and leaves out 
     parameter.set(model, 0.5 * (cause.null.front() + cause.parameters.front().most));
     CHECK(parameter.get(model) ==
           doctest::Approx(0.5 * (cause.null.front() + cause.parameters.front().most)));
-    parameter.set(model, cause.null.front());
-    CHECK(parameter.get(model) == parameter.get(plan.model));
-    CHECK_FALSE(model.extended());
+    RockModel null = plan.model;
+    parameter.set(null, cause.null.front());
+    CHECK(parameter.get(null) == parameter.get(plan.model));
+    CHECK_FALSE(null.extended());
   }
   CHECK(diagnose::catalogue(plan, "damping,adhesion").size() == 2);
   CHECK_THROWS_WITH_AS(diagnose::catalogue(plan, "damping,wind"), doctest::Contains("there is no 'wind'"),

@@ -119,10 +119,11 @@ public:
     Random random{setup_.seed, "diagnosis"};
     Diagnosis out;
     const std::size_t singles = hypotheses_.size();
-    out.alarm = raise_alarm(court_, hypotheses_, seen_, setup_.draws, random);
+    const AlarmTest alarm{court_, hypotheses_, setup_.draws, random};
+    out.alarm = alarm(seen_);
     out.base_adequacy = out.alarm.omnibus;
     residuals(out);
-    look_alikes(out, random);
+    look_alikes(out, alarm, random);
     if (out.alarm.p > setup_.false_alarms) {
       judge_silence(out);
       rank(out);
@@ -237,11 +238,11 @@ private:
   }
 
   /// Which causes these data could tell from each other and from nothing.
-  void look_alikes(Diagnosis& out, Random& random) const {
+  void look_alikes(Diagnosis& out, const AlarmTest& alarm, Random& random) const {
     const std::size_t causes = space_.causes().size(), draws = std::max<std::size_t>(setup_.draws / 8, 20);
     const auto row_of = [&](const Hypothesis::Point& truth) {
       std::vector<double> row =
-          mistaken_for(court_, std::span{hypotheses_}.first(causes + 1), truth, draws, random);
+          taken_for(court_, hypotheses_, alarm, setup_.false_alarms, truth, draws, random);
       std::rotate(row.begin(), row.begin() + 1, row.end()); // none last
       return row;
     };
