@@ -136,8 +136,8 @@ container.height = 0.08
 load.low_stress = 1e3
 load.high_stress = 5e3
 load.cycles = 2
-load.strain_rate = 0.12
-load.most_inertial_number = 1e-2
+load.strain_rate = 0.25
+load.most_inertial_number = 2e-2
 data = "oedometer.csv"
 
 [experiments.angle_of_repose]
@@ -159,7 +159,7 @@ data = "drop_fast.csv"
 
 [experiments.tilt_test]
 tilt.rocks = 25
-tilt.rate = 6.0
+tilt.rate = 12.0
 data = "tilt_test.csv"
 use = ["angle_deg", "failure_angle_deg"]
 
@@ -180,8 +180,8 @@ container.height = 0.08
 load.low_stress = 2e3
 load.high_stress = 1e4
 load.cycles = 1
-load.strain_rate = 0.12
-load.most_inertial_number = 1e-2
+load.strain_rate = 0.25
+load.most_inertial_number = 2e-2
 held_out = true
 data = "stronger.csv"
 use = ["first_modulus_Pa", "settlement"]

@@ -118,3 +118,22 @@ TEST_CASE("the same data and seed give the same verdict to the bit") {
   CHECK(a.ranking.front().log_odds == b.ranking.front().log_odds);
   CHECK(a.confusion == b.confusion);
 }
+
+TEST_CASE("a diagnosis refuses what makes no sense") {
+  const toy::Data data = toy::data({}, 36);
+  const auto complaint = [&](const std::vector<Run>& runs, const DiagnosisSetup& setup) {
+    try {
+      const Diagnostician diagnostician{space(), data.fitted, data.held_out, runs, setup};
+    } catch (const Error& error) {
+      return std::string{error.what()};
+    }
+    return std::string{};
+  };
+  CHECK(complaint(shared_runs(), {.draws = 3}) == "diagnosis draws = 3 is outside [20, 1000000]");
+  CHECK(complaint(shared_runs(), {.clear_odds = 50.0}) == "diagnosis kept_odds = 30 is outside [50, 1e+12]");
+  const std::vector<Run> few{shared_runs().begin(), shared_runs().begin() + 5};
+  CHECK(complaint(few, {}) == "response surface: 5 runs came to an end, too few for 7 parameters");
+  std::vector<Run> cut = shared_runs();
+  cut[7].observed = cut[7].observed.head(3).eval();
+  CHECK(complaint(cut, {}) == "diagnosis: a run has 3 observables where 9 are needed");
+}

@@ -33,7 +33,7 @@ public:
     const auto n = static_cast<Eigen::Index>(runs.size());
     if (n < parameters + 3) {
       throw Error(
-          message("calibration: ", n, " runs came to an end, too few for ", parameters, " parameters"));
+          message("response surface: ", n, " runs came to an end, too few for ", parameters, " parameters"));
     }
     at_.resize(n, parameters);
     Eigen::MatrixXd observed(n, runs.front().observed.size());

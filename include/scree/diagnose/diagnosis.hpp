@@ -42,6 +42,18 @@ struct DiagnosisSetup {
   std::size_t draws = 400;       ///< of each bootstrap
   std::size_t pair_partners = 4; ///< causes that are tried together with all others
   std::uint64_t seed = 1;
+
+  /// \throws Error for a value out of its range.
+  void check() const {
+    require("diagnosis false_alarms", false_alarms, {1e-3, 0.5});
+    require("diagnosis least_adequacy", least_adequacy, {0.0, 0.5});
+    require("diagnosis clear_odds", clear_odds, {1.0, 1e12});
+    require("diagnosis kept_odds", kept_odds, {clear_odds, 1e12});
+    require("diagnosis odds_against_pair", odds_against_pair, {1.0, 1e12});
+    require("diagnosis confidence", confidence, {0.01, 0.999});
+    require("diagnosis least_power", least_power, {0.0, 1.0});
+    require("diagnosis draws", static_cast<double>(draws), {20.0, 1e6});
+  }
 };
 
 /// One hypothesis as the data see it.
@@ -84,7 +96,7 @@ public:
   /// \param measured what is fitted
   /// \param held_out what is only predicted; may be empty
   /// \param runs over the whole space, with all of these observables, those held out last
-  /// \throws Error for too few runs.
+  /// \throws Error for too few runs, runs without all observables, or a setup that makes no sense.
   Diagnostician(const ModelSpace& space, std::vector<Measured> measured, std::vector<Measured> held_out,
                 const std::vector<Run>& runs, DiagnosisSetup setup = {})
       : space_{space},
@@ -94,6 +106,7 @@ public:
         setup_{setup},
         noise_{measured_, response_},
         court_{noise_, Prior::even(space.base())} {
+    setup_.check();
     if (!held_out_.empty()) {
       held_out_response_.emplace(part_of(runs, measured_.size(), held_out_.size()));
     }
@@ -339,7 +352,7 @@ private:
     }
   }
 
-  const ModelSpace& space_;
+  ModelSpace space_;
   std::vector<Measured> measured_, held_out_;
   ResponseSurface response_;
   std::optional<ResponseSurface> held_out_response_;

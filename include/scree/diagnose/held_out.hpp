@@ -52,6 +52,7 @@ inline HeldOutPrediction predicted(const Court& court, const Hypothesis& hypothe
   const double sum = judgement.weights.sum();
   out.mean /= sum;
   out.covariance += second - out.mean * out.mean.transpose();
+  out.covariance.diagonal().array() += 1e-24; // so that it has a root without any noise too
   return out;
 }
 
