@@ -81,3 +81,20 @@ TEST_CASE("a response surface refuses too few runs") {
                        Error);
   CHECK_THROWS_WITH_AS(ResponseSurface{std::vector<Run>{}}, doctest::Contains("too few"), Error);
 }
+
+TEST_CASE("what some runs do not show is left out for that observable alone") {
+  std::vector<Run> some = runs(30, 8), without;
+  for (std::size_t k = 0; k < some.size(); ++k) {
+    if (k % 4 == 1) {
+      some[k].observed[1] = std::nan("");
+    } else {
+      without.push_back(some[k]);
+    }
+  }
+  const Eigen::Vector2d there{0.4, 0.6};
+  const auto all = ResponseSurface{runs(30, 8)}.predicted(there),
+             part = ResponseSurface{some}.predicted(there), fewer = ResponseSurface{without}.predicted(there);
+  CHECK(part.mean[0] == all.mean[0]);
+  CHECK(part.mean[1] == fewer.mean[1]);
+  CHECK(part.variance[1] == fewer.variance[1]);
+}

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -21,8 +22,8 @@
 
 namespace scree {
 
-/// Asks for runs, each with a seed of its own, and keeps those that came to an end with observables as they
-/// are compared. Others are counted, with their reasons.
+/// Asks for runs, each with a seed of its own, and keeps what they show, as it is compared. Those that fail,
+/// in whole or in part, are counted, with their reasons.
 class RunLog {
 public:
   RunLog(std::vector<Parameter> space, std::vector<Measured> measured)
@@ -55,34 +56,40 @@ public:
 
   [[nodiscard]] const std::vector<Run>& runs() const { return runs_; }
   [[nodiscard]] std::size_t asked() const { return asked_; }
+  /// In whole or in part.
   [[nodiscard]] std::size_t failed() const { return failed_; }
   /// Reasons, each once.
   [[nodiscard]] const std::vector<std::string>& failures() const { return failures_; }
 
 private:
-  /// The observables as they are compared, or nothing for a run that failed.
+  /// The observables as they are compared, not a number where the run does not show one; nothing for a run
+  /// that shows none.
   [[nodiscard]] std::optional<Eigen::VectorXd> compared(const RunOutcome& outcome) {
+    Eigen::VectorXd out(static_cast<Eigen::Index>(measured_.size()));
+    out.setConstant(std::numeric_limits<double>::quiet_NaN());
     std::string failure = outcome.failure;
-    if (failure.empty() && outcome.observed.size() != measured_.size()) {
+    bool any = false;
+    if (outcome.observed.size() == measured_.size()) {
+      for (std::size_t k = 0; k < measured_.size(); ++k) {
+        const double value = measured_[k].compared(outcome.observed[k]);
+        if (std::isfinite(value)) {
+          out[static_cast<Eigen::Index>(k)] = value;
+          any = true;
+        } else if (failure.empty()) {
+          failure = message(measured_[k].name, " = ", outcome.observed[k], " cannot be compared");
+        }
+      }
+    } else if (failure.empty()) {
       failure = message("it has ", outcome.observed.size(), " observables where ", measured_.size(),
                         " were measured");
     }
-    Eigen::VectorXd out(static_cast<Eigen::Index>(measured_.size()));
-    for (std::size_t k = 0; failure.empty() && k < measured_.size(); ++k) {
-      const double value = measured_[k].compared(outcome.observed[k]);
-      if (!std::isfinite(value)) {
-        failure = message(measured_[k].name, " = ", outcome.observed[k], " cannot be compared");
+    if (!failure.empty()) {
+      ++failed_;
+      if (std::find(failures_.begin(), failures_.end(), failure) == failures_.end()) {
+        failures_.push_back(failure);
       }
-      out[static_cast<Eigen::Index>(k)] = value;
     }
-    if (failure.empty()) {
-      return out;
-    }
-    ++failed_;
-    if (std::find(failures_.begin(), failures_.end(), failure) == failures_.end()) {
-      failures_.push_back(failure);
-    }
-    return std::nullopt;
+    return any ? std::optional{out} : std::nullopt;
   }
 
   std::vector<Parameter> space_;
