@@ -43,6 +43,7 @@ most = 0.9
 [experiments.immersion]
 batch.grains = 4000
 data = "immersion.csv"
+use = ["solid_density_kg_m3"]
 
 [experiments.bulk_density]
 data = "bulk_density.csv"

@@ -30,6 +30,7 @@ data = "immersion.csv"
 [experiments.bulk_density]
 container.radius = 0.1
 container.height = 0.1
+fill.surplus = 0.5
 data = "bulk_density.csv"
 
 [experiments.oedometer]
@@ -120,6 +121,7 @@ data = "immersion.csv"
 [experiments.bulk_density]
 container.radius = 0.08
 container.height = 0.08
+fill.surplus = 0.5
 data = "bulk_density.csv"
 
 [experiments.tamped] # denser: the same rock with less friction while it is poured

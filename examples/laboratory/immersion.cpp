@@ -35,7 +35,9 @@ public:
     options.group("Immersion");
     options.add("batch.grains", setup_.grains, {1.0, 1e8}, "of the batch that is weighed");
   }
-  std::vector<Observable> observables() const override { return {{"solid_density_kg_m3"}}; }
+  std::vector<Observable> observables() const override {
+    return {{"solid_density_kg_m3"}, {"grain_mass_kg"}};
+  }
   CurveFile curve() const override {
     return {"immersion.csv", "grains", "density_kg_m3", "Density of the first grains", "grains", "kg/m3"};
   }
@@ -45,13 +47,14 @@ public:
     if (!folder.empty()) {
       write_batches(folder, r);
     }
-    return {r.solid_density};
+    return {r.solid_density, r.batches.back().mass / static_cast<double>(r.batches.size())};
   }
   void show(Workbench& bench) const override {
     const ImmersionResult r = immerse(detail::prepared(setup_, detail::conditions_of(bench)));
     write_batches(bench.folder(), r);
     auto& summary = bench.summary();
     summary["solid_density_kg_m3"] = r.solid_density;
+    summary["grain_mass_kg"] = r.batches.back().mass / static_cast<double>(r.batches.size());
     summary["mass_kg"] = r.batches.back().mass;
     summary["displaced_volume_m3"] = r.batches.back().volume;
     summary["grains"] = r.batches.size();
