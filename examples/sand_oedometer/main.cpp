@@ -35,7 +35,8 @@ struct Wish {
   std::string reference, out;
   bool resume = false;
   std::vector<double> tests{1.0, 5.0, 8.0, 12.0};
-  std::vector<double> stiffnesses{100.0, 200.0, 400.0, 800.0, 1600.0};
+  std::vector<double> stiffnesses{50.0, 100.0, 200.0, 400.0, 800.0};
+  double packing_friction = 0.3;
   std::uint64_t replicates = 3, seed = 1, workers = 0;
 };
 
@@ -83,7 +84,7 @@ Path path_of(const StressStrain& loading, const StressStrain& unloading, const S
 
 /// Loaded, unloaded and loaded again with a stiffness of k / (highest stress times the mean diameter).
 /// Returns the strains of the path, then the porosity.
-std::vector<double> simulated(double stiffness, std::uint64_t seed) {
+std::vector<double> simulated(double stiffness, double packing_friction, std::uint64_t seed) {
   OedometerSetup setup = desk_oedometer();
   double diameter = 0.0;
   Random random{1, "mean diameter"};
@@ -98,6 +99,7 @@ std::vector<double> simulated(double stiffness, std::uint64_t seed) {
   setup.low_stress = 0.05 * setup.high_stress;
   setup.strain_rate = 0.04; // quasi-static under the low stress too
   setup.cycles = 2;
+  setup.fill.packing_friction = packing_friction;
   setup.seed = seed;
   setup.threads = 1;
   Oedometer<> oedometer{setup};
@@ -184,8 +186,10 @@ private:
       for (std::uint64_t k = 0; k < wish_.replicates; ++k) {
         const std::uint64_t seed = wish_.seed + k;
         jobs.push_back({message("scree ", SCREE_VERSION, " sand_oedometer stiffness=", number_text(stiffness),
-                                " seed=", seed),
-                        [stiffness, seed] { return simulated(stiffness, seed); }});
+                                " packing_friction=", number_text(wish_.packing_friction), " seed=", seed),
+                        [stiffness, packing = wish_.packing_friction, seed] {
+                          return simulated(stiffness, packing, seed);
+                        }});
       }
     }
     ex::Progress progress;
@@ -330,6 +334,10 @@ int main(int argc, char** argv) {
     options.add("tests", wish.tests, {1.0, 12.0}, "four, by their numbers");
     options.add("stiffnesses", wish.stiffnesses, {1.0, 1e6},
                 "of contacts over highest stress times mean diameter, ascending");
+    options.add("packing_friction", wish.packing_friction, {1e-3, 1e3},
+                "times its own, the friction of the simulated grains while they are poured: loose fillings "
+                "give way by "
+                "more than dense sand strains, whatever the stiffness");
     options.add("replicates", wish.replicates, {1.0, 1e4}, "of each simulation");
     options.add("seed", wish.seed, {0.0, 9e15}, "of the first replicate; the others follow");
     options.add("workers", wish.workers, {0.0, 1024.0}, "runs side by side; 0: one for each processor");
