@@ -2,6 +2,7 @@
 
 #include "scree/core/error.hpp"
 #include "scree/laboratory/rock_parameters.hpp"
+#include "support/comma_list.hpp"
 
 #include <algorithm>
 #include <array>
@@ -51,12 +52,8 @@ constexpr std::array entries{
 } // namespace
 
 std::vector<Cause> catalogue(const ex::Plan& plan, const std::string& only) {
-  std::set<std::string> wanted;
-  for (std::size_t begin = 0; begin < only.size();) {
-    const std::size_t comma = std::min(only.find(',', begin), only.size());
-    wanted.insert(only.substr(begin, comma - begin));
-    begin = comma + 1;
-  }
+  const std::vector<std::string> listed = ex::comma_list(only);
+  std::set<std::string> wanted{listed.begin(), listed.end()};
   std::vector<Cause> out;
   std::string known;
   for (const Entry& e : entries) {

@@ -19,22 +19,23 @@ namespace {
 std::string names_of(const Case& c, const std::vector<std::size_t>& causes) {
   std::string out;
   for (const std::size_t k : causes) {
-    out += (out.empty() ? "" : " + ") + c.space.causes()[k].name;
+    out += (out.empty() ? "" : " + ") + c.diagnosed.space.causes()[k].name;
   }
   return out.empty() ? "the base model" : out;
 }
 
 /// The hypothesis that the report compares with the base model.
 const Ranked& extended(const Case& c) {
-  return c.diagnosis.ranking[c.diagnosis.named.empty() ? 0 : c.diagnosis.named.front()];
+  return c.diagnosed.diagnosis
+      .ranking[c.diagnosed.diagnosis.named.empty() ? 0 : c.diagnosed.diagnosis.named.front()];
 }
 const Ranked& base(const Case& c) {
-  return *std::find_if(c.diagnosis.ranking.begin(), c.diagnosis.ranking.end(),
+  return *std::find_if(c.diagnosed.diagnosis.ranking.begin(), c.diagnosed.diagnosis.ranking.end(),
                        [](const Ranked& r) { return r.causes.empty(); });
 }
 
 std::string value_text(const Case& c, const Ranked::Interval& p) {
-  const Parameter& parameter = c.space.parameters()[static_cast<std::size_t>(p.parameter)];
+  const Parameter& parameter = c.diagnosed.space.parameters()[static_cast<std::size_t>(p.parameter)];
   return fmt::format("{} = {:.3g}{}{} ({:.3g} to {:.3g})", parameter.name, p.value,
                      parameter.unit.empty() ? "" : " ", parameter.unit, p.low, p.high);
 }
@@ -53,12 +54,12 @@ double shown(const Measured& m, double compared) {
 } // namespace
 
 std::string sentence(const Case& c) {
-  const Diagnosis& d = c.diagnosis;
+  const Diagnosis& d = c.diagnosed.diagnosis;
   switch (d.finding) {
   case Finding::no_discrepancy:
     return fmt::format(
         "Nothing is wrong: the base model explains all {} observables as well as chance allows.",
-        c.fitted.size());
+        c.diagnosed.fitted.size());
   case Finding::insufficient_data:
     return "These data cannot tell whether anything is wrong.";
   case Finding::cause:
@@ -79,23 +80,25 @@ std::string sentence(const Case& c) {
 
 std::vector<std::string> model_to_write(const Case& c) {
   std::vector<std::string> out;
-  const bool named = c.diagnosis.finding == Finding::cause || c.diagnosis.finding == Finding::causes;
+  const bool named =
+      c.diagnosed.diagnosis.finding == Finding::cause || c.diagnosed.diagnosis.finding == Finding::causes;
   for (std::size_t k = 0; named && k < extended(c).causes.size(); ++k) {
-    const Cause& cause = c.space.causes()[extended(c).causes[k]];
+    const Cause& cause = c.diagnosed.space.causes()[extended(c).causes[k]];
     out.push_back(cause.extension + ": " + value_text(c, extended(c).parameters[k]));
   }
   return out;
 }
 
 std::string next_experiment(const Case& c) {
-  const Diagnosis& d = c.diagnosis;
+  const Diagnosis& d = c.diagnosed.diagnosis;
   if (d.finding == Finding::insufficient_data) {
     // The cause that stays hidden most easily.
     const auto least = std::min_element(d.power.begin(), d.power.end());
     if (least == d.power.end()) {
       return "";
     }
-    const Cause& cause = c.space.causes()[static_cast<std::size_t>(std::distance(d.power.begin(), least))];
+    const Cause& cause =
+        c.diagnosed.space.causes()[static_cast<std::size_t>(std::distance(d.power.begin(), least))];
     return cause.separated_by.empty() ? "" : cause.separated_by.front();
   }
   if (d.finding != Finding::indistinguishable) {
@@ -104,7 +107,7 @@ std::string next_experiment(const Case& c) {
   std::string out;
   for (const std::size_t r : d.named) {
     for (const std::size_t k : d.ranking[r].causes) {
-      for (const std::string& one : c.space.causes()[k].separated_by) {
+      for (const std::string& one : c.diagnosed.space.causes()[k].separated_by) {
         out += out.find(one) == std::string::npos ? (out.empty() ? "" : "; ") + one : "";
       }
     }
@@ -113,7 +116,7 @@ std::string next_experiment(const Case& c) {
 }
 
 Json verdict(const Case& c) {
-  const Diagnosis& d = c.diagnosis;
+  const Diagnosis& d = c.diagnosed.diagnosis;
   Json out;
   out["verdict"] = name_of(d.finding);
   out["sentence"] = sentence(c);
@@ -122,41 +125,44 @@ Json verdict(const Case& c) {
   out["parameters"] = Json::object();
   for (const std::size_t r : d.named) {
     for (const std::size_t k : d.ranking[r].causes) {
-      const std::string& name = c.space.causes()[k].name;
+      const std::string& name = c.diagnosed.space.causes()[k].name;
       if (std::find(out["causes"].begin(), out["causes"].end(), name) == out["causes"].end()) {
         out["causes"].push_back(name);
       }
     }
   }
   for (const Ranked::Interval& p : extended(c).parameters) {
-    const Parameter& parameter = c.space.parameters()[static_cast<std::size_t>(p.parameter)];
+    const Parameter& parameter = c.diagnosed.space.parameters()[static_cast<std::size_t>(p.parameter)];
     out["parameters"][parameter.name] = {
         {"estimate", p.value}, {"interval", {p.low, p.high}}, {"unit", parameter.unit}};
   }
-  for (Eigen::Index k = 0; k < c.space.base(); ++k) {
+  for (Eigen::Index k = 0; k < c.diagnosed.space.base(); ++k) {
     const auto at = static_cast<std::size_t>(k);
-    out["base"][c.space.parameters()[at].name] = {{"without", base(c).values[at]},
-                                                  {"with", extended(c).values[at]}};
+    out["base"][c.diagnosed.space.parameters()[at].name] = {{"without", base(c).values[at]},
+                                                            {"with", extended(c).values[at]}};
   }
   out["model"] = model_to_write(c);
   out["alarm"] = {{"p", d.alarm.p}, {"omnibus", d.alarm.omnibus}, {"directed", d.alarm.directed}};
-  out["where"] = {{"observable", c.fitted[d.where].name}, {"standardised_residual", d.where_residual}};
+  out["where"] = {{"observable", c.diagnosed.fitted[d.where].name},
+                  {"standardised_residual", d.where_residual}};
   for (const Ranked& r : d.ranking) {
     Json one{{"causes", Json::array()}, {"log_odds_over_base", r.log_odds}, {"deviance", r.deviance}};
     for (const std::size_t k : r.causes) {
-      one["causes"].push_back(c.space.causes()[k].name);
+      one["causes"].push_back(c.diagnosed.space.causes()[k].name);
     }
     for (const Ranked::Interval& p : r.parameters) {
-      one["parameters"][c.space.parameters()[static_cast<std::size_t>(p.parameter)].name] = {
+      one["parameters"][c.diagnosed.space.parameters()[static_cast<std::size_t>(p.parameter)].name] = {
           {"estimate", p.value}, {"interval", {p.low, p.high}}};
     }
     out["evidence"].push_back(std::move(one));
   }
   out["adequacy"] = {{"base", d.base_adequacy}, {"best", d.ranking.front().adequacy}};
   for (std::size_t a = 0; a < d.confusion.size(); ++a) {
-    const std::string truth = a < c.space.causes().size() ? c.space.causes()[a].name : "none";
+    const std::string truth =
+        a < c.diagnosed.space.causes().size() ? c.diagnosed.space.causes()[a].name : "none";
     for (std::size_t b = 0; b < d.confusion[a].size(); ++b) {
-      const std::string taken = b < c.space.causes().size() ? c.space.causes()[b].name : "none";
+      const std::string taken =
+          b < c.diagnosed.space.causes().size() ? c.diagnosed.space.causes()[b].name : "none";
       out["confusion_at_half_range"][truth][taken] = d.confusion[a][b];
     }
   }
@@ -167,14 +173,16 @@ Json verdict(const Case& c) {
                             {"before", h.before},
                             {"after", h.after},
                             {"p", h.p}};
-    for (std::size_t k = 0; k < c.held_out.size(); ++k) {
-      out["held_out_gain"]["residuals"][c.held_out[k].name] = {
+    for (std::size_t k = 0; k < c.diagnosed.held_out.size(); ++k) {
+      out["held_out_gain"]["residuals"][c.diagnosed.held_out[k].name] = {
           {"before", h.residuals_before[static_cast<Eigen::Index>(k)]},
           {"after", h.residuals_after[static_cast<Eigen::Index>(k)]}};
     }
   }
   out["next_experiment"] = next_experiment(c);
-  out["runs"] = {{"asked", c.log.asked()}, {"failed", c.log.failed()}, {"reasons", c.log.failures()}};
+  out["runs"] = {{"asked", c.diagnosed.log.asked()},
+                 {"failed", c.diagnosed.log.failed()},
+                 {"reasons", c.diagnosed.log.failures()}};
   out["seconds"] = c.seconds;
   return out;
 }
@@ -195,15 +203,16 @@ std::string observables_table(const Case& c) {
       "model less measured, over the standard error<th>extended</tr>\n";
   const auto& without = base(c).simulated;
   const auto& with = extended(c).simulated;
-  for (std::size_t k = 0; k < c.fitted.size(); ++k) {
-    const Measured& m = c.fitted[k];
+  for (std::size_t k = 0; k < c.diagnosed.fitted.size(); ++k) {
+    const Measured& m = c.diagnosed.fitted[k];
     const double error = std::sqrt(variance_of(m));
     const double a = (without[k] - m.mean()) / error, b = (with[k] - m.mean()) / error;
     out += fmt::format("<tr{}><td>{}<td class=n>{:.5g}<td class=n>{:.2g}<td class=n>{:.5g}<td class=n>{:.5g}"
                        "<td>{}{:+.1f}<td>{}{:+.1f}</tr>\n",
-                       k == c.diagnosis.where ? " class=no" : "", xml_escaped(m.name), shown(m, m.mean()),
-                       m.logarithmic ? error * shown(m, m.mean()) : error, shown(m, without[k]),
-                       shown(m, with[k]), bar(a / 10.0, "#d55e00"), a, bar(b / 10.0, "#0072b2"), b);
+                       k == c.diagnosed.diagnosis.where ? " class=no" : "", xml_escaped(m.name),
+                       shown(m, m.mean()), m.logarithmic ? error * shown(m, m.mean()) : error,
+                       shown(m, without[k]), shown(m, with[k]), bar(a / 10.0, "#d55e00"), a,
+                       bar(b / 10.0, "#0072b2"), b);
   }
   return out + "</table>\n";
 }
@@ -211,10 +220,10 @@ std::string observables_table(const Case& c) {
 std::string evidence_table(const Case& c) {
   std::string out = "<table><tr><th>hypothesis<th>log10 of its odds over the base model<th>parameters</tr>\n";
   double most = 1.0;
-  for (const Ranked& r : c.diagnosis.ranking) {
+  for (const Ranked& r : c.diagnosed.diagnosis.ranking) {
     most = std::max(most, std::abs(r.log_odds) / std::log(10.0));
   }
-  for (const Ranked& r : c.diagnosis.ranking) {
+  for (const Ranked& r : c.diagnosed.diagnosis.ranking) {
     const double decades = r.log_odds / std::log(10.0);
     out += fmt::format("<tr><td>{}<td>{}{:+.1f}<td>{}</tr>\n", xml_escaped(names_of(c, r.causes)),
                        bar(decades / most, "#0072b2"), decades, xml_escaped(values_text(c, r)));
@@ -223,9 +232,9 @@ std::string evidence_table(const Case& c) {
 }
 
 std::string confusion_table(const Case& c) {
-  const auto& matrix = c.diagnosis.confusion;
+  const auto& matrix = c.diagnosed.diagnosis.confusion;
   const auto name = [&](std::size_t k) {
-    return k < c.space.causes().size() ? c.space.causes()[k].name : std::string{"none"};
+    return k < c.diagnosed.space.causes().size() ? c.diagnosed.space.causes()[k].name : std::string{"none"};
   };
   std::string out = "<table class=m><tr><th>truth, half its range";
   for (std::size_t b = 0; b < matrix.size(); ++b) {
@@ -244,21 +253,21 @@ std::string confusion_table(const Case& c) {
 }
 
 std::string held_out_table(const Case& c) {
-  if (!c.diagnosis.held_out) {
+  if (!c.diagnosed.diagnosis.held_out) {
     return "<p>No experiment was held out, or there is no cause to be tried on it.</p>\n";
   }
-  const HeldOutGain& h = *c.diagnosis.held_out;
+  const HeldOutGain& h = *c.diagnosed.diagnosis.held_out;
   std::string out =
       fmt::format("<p>Root mean square error, over the standard error of what was measured: {:.2f} "
                   "before, {:.2f} after; gain {:.0f} % ({:.0f} to {:.0f} %).</p>\n<table>"
                   "<tr><th>held out<th>before<th>after<th></tr>\n",
                   h.before, h.after, 100.0 * h.gain, 100.0 * h.low, 100.0 * h.high);
-  for (std::size_t k = 0; k < c.held_out.size(); ++k) {
+  for (std::size_t k = 0; k < c.diagnosed.held_out.size(); ++k) {
     const double a = h.residuals_before[static_cast<Eigen::Index>(k)],
                  b = h.residuals_after[static_cast<Eigen::Index>(k)];
-    out += fmt::format("<tr><td>{}<td>{}{:+.1f}<td>{}{:+.1f}<td>{}</tr>\n", xml_escaped(c.held_out[k].name),
-                       bar(a / 10.0, "#d55e00"), a, bar(b / 10.0, "#0072b2"), b,
-                       std::abs(b) > std::abs(a) + 1.0 ? "worse" : "");
+    out += fmt::format("<tr><td>{}<td>{}{:+.1f}<td>{}{:+.1f}<td>{}</tr>\n",
+                       xml_escaped(c.diagnosed.held_out[k].name), bar(a / 10.0, "#d55e00"), a,
+                       bar(b / 10.0, "#0072b2"), b, std::abs(b) > std::abs(a) + 1.0 ? "worse" : "");
   }
   return out + "</table>\n";
 }
@@ -266,7 +275,7 @@ std::string held_out_table(const Case& c) {
 } // namespace
 
 std::string page(const Case& c) {
-  const Diagnosis& d = c.diagnosis;
+  const Diagnosis& d = c.diagnosed.diagnosis;
   std::string out = fmt::format(
       "<!doctype html>\n<html lang='en'><head><meta charset='utf-8'><title>scree: diagnosis</title><style>\n"
       "body{{font:14px/1.45 sans-serif;margin:2em auto;max-width:1120px;color:#222}}\n"
@@ -303,8 +312,8 @@ std::string page(const Case& c) {
       "runs do. Each cause is as likely beforehand as any other, and its parameter anywhere in its range; "
       "two "
       "together are less likely.</p>\n<table><tr><th>cause<th>parameter<th>range<th>null</tr>\n",
-      c.log.asked(), c.log.failed(), c.seconds);
-  for (const Cause& cause : c.space.causes()) {
+      c.diagnosed.log.asked(), c.diagnosed.log.failed(), c.seconds);
+  for (const Cause& cause : c.diagnosed.space.causes()) {
     for (std::size_t k = 0; k < cause.parameters.size(); ++k) {
       const Parameter& p = cause.parameters[k];
       out += fmt::format("<tr><td>{}<td>{}<td class=n>{:.4g} to {:.4g} {}<td class=n>{:.4g}</tr>\n",

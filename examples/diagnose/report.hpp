@@ -2,11 +2,7 @@
 /// \file
 /// What a diagnosis says, for people and for programs.
 
-#include "laboratory/plan.hpp"
-
-#include "scree/calibrate/measured.hpp"
-#include "scree/calibrate/run_log.hpp"
-#include "scree/diagnose/diagnosis.hpp"
+#include "diagnose/diagnosing.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -17,11 +13,7 @@ namespace diagnose {
 
 /// All that a report is made of.
 struct Case {
-  const scree::ModelSpace& space;
-  const std::vector<scree::Measured>& fitted;
-  const std::vector<scree::Measured>& held_out;
-  const scree::Diagnosis& diagnosis;
-  const scree::RunLog& log;
+  const Diagnosed& diagnosed;
   double seconds; ///< that it took
 };
 

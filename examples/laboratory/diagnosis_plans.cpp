@@ -2,48 +2,63 @@
 
 #include "scree/core/error.hpp"
 
+#include <string>
+
 namespace scree::examples {
 
 namespace {
 
 // All numbers are ours. Bounds are wider than what is drawn, so that the truth is not at the edge of the
 // space.
-constexpr const char* desk = R"(# Simulations stand for a laboratory.
+
+/// \param stiffness bounds
+std::string base(const std::string& least, const std::string& most) {
+  return R"(# Simulations stand for a laboratory.
 fidelity = "desk"
 
 [parameters.particle_density] # kg/m3
 least = 1100.0
 most = 2300.0
 
-[parameters.normal_stiffness] # N/m
-least = 4e4
-most = 2.5e5
-
 [parameters.friction]
 least = 0.15
 most = 0.9
 
+[parameters.normal_stiffness] # N/m
+least = )" +
+         least + "\nmost = " + most + "\n";
+}
+
+/// Filled and struck off. \param more lines
+std::string container(const std::string& name, const std::string& radius, const std::string& height,
+                      const std::string& more = "") {
+  return "\n[experiments." + name + "]\n" + (name == "bulk_density" ? "" : "kind = \"bulk_density\"\n") +
+         "container.radius = " + radius + "\ncontainer.height = " + height + "\nfill.surplus = 0.5\n" + more +
+         "data = \"" + name + ".csv\"\n";
+}
+/// The same rock with less friction while it is poured, so denser.
+std::string tamped(const std::string& name, const std::string& radius, const std::string& height,
+                   const std::string& packing_friction, const std::string& more = "") {
+  return container(name, radius, height, "fill.packing_friction = " + packing_friction + "\n" + more);
+}
+std::string oedometer(const std::string& name, const std::string& radius, const std::string& height,
+                      const std::string& more) {
+  return "\n[experiments." + name + "]\n" + (name == "oedometer" ? "" : "kind = \"oedometer\"\n") +
+         "container.radius = " + radius + "\ncontainer.height = " + height + "\n" + more + "data = \"" +
+         name + ".csv\"\n";
+}
+std::string heap(const std::string& name, const std::string& solid, const std::string& more = "") {
+  return "\n[experiments." + name + "]\n" +
+         (name == "angle_of_repose" ? "" : "kind = \"angle_of_repose\"\n") + "funnel.solid = " + solid +
+         "\nfunnel.outlet = 0.15\nfunnel.rim = 0.28\n" + more + "data = \"" + name + ".csv\"\n";
+}
+/// Single rocks dropped and a plate of them tilted, and a batch weighed in water.
+std::string single_rocks(const std::string& batch, const std::string& tilt_rate) {
+  return R"(
 [experiments.immersion]
-batch.grains = 4000
+batch.grains = )" +
+         batch + R"(
 data = "immersion.csv"
-
-[experiments.bulk_density]
-container.radius = 0.1
-container.height = 0.1
-fill.surplus = 0.5
-data = "bulk_density.csv"
-
-[experiments.oedometer]
-container.radius = 0.1
-container.height = 0.08
-load.cycles = 2
-data = "oedometer.csv"
-
-[experiments.angle_of_repose]
-funnel.solid = 0.002
-funnel.outlet = 0.15
-funnel.rim = 0.28
-data = "angle_of_repose.csv"
 
 [experiments.drop_slowly]
 kind = "drop_test"
@@ -58,54 +73,22 @@ data = "drop_fast.csv"
 
 [experiments.tilt_test]
 tilt.rocks = 25
-tilt.rate = 6.0
+tilt.rate = )" +
+         tilt_rate + R"(
 data = "tilt_test.csv"
 use = ["angle_deg", "failure_angle_deg"]
+)";
+}
 
-[experiments.tamped] # denser: the same rock with less friction while it is poured
-kind = "bulk_density"
-container.radius = 0.1
-container.height = 0.1
-fill.packing_friction = 0.3
-fill.surplus = 0.5
-data = "tamped.csv"
-
-[experiments.rising_funnel]
-kind = "angle_of_repose"
-funnel.solid = 0.002
-funnel.outlet = 0.15
-funnel.rim = 0.28
-funnel.clearance = 0.06
+constexpr const char* held_out = "held_out = true\n";
+constexpr const char* first_loading = R"(held_out = true
+use = ["first_modulus_Pa", "settlement", "base_share"]
+)";
+constexpr const char* rising = R"(funnel.clearance = 0.06
 funnel.lift_speed = 0.1
 held_out = true
-data = "rising_funnel.csv"
-
-[experiments.stronger]
-kind = "oedometer"
-container.radius = 0.1
-container.height = 0.08
-load.high_stress = 8e4
-load.cycles = 1
-held_out = true
-data = "stronger.csv"
-use = ["first_modulus_Pa", "settlement"]
 )";
-
-constexpr const char* mini = R"(# Simulations stand for a laboratory.
-fidelity = "desk"
-
-[parameters.particle_density] # kg/m3
-least = 1100.0
-most = 2300.0
-
-[parameters.normal_stiffness] # N/m
-least = 5e3
-most = 3e4
-
-[parameters.friction]
-least = 0.15
-most = 0.9
-
+constexpr const char* soft = R"(
 [rock]
 normal_stiffness = 1.2e4
 shear_stiffness = 1.2e4
@@ -113,100 +96,93 @@ shear_stiffness = 1.2e4
 [rig]
 normal_stiffness = 1.2e4
 shear_stiffness = 1.2e4
-
-[experiments.immersion]
-batch.grains = 1000
-data = "immersion.csv"
-
-[experiments.bulk_density]
-container.radius = 0.08
-container.height = 0.08
-fill.surplus = 0.5
-data = "bulk_density.csv"
-
-[experiments.tamped] # denser: the same rock with less friction while it is poured
-kind = "bulk_density"
-container.radius = 0.08
-container.height = 0.08
-fill.packing_friction = 0.3
-fill.surplus = 0.5
-data = "tamped.csv"
-
-[experiments.oedometer]
-container.radius = 0.08
-container.height = 0.08
-load.low_stress = 1e3
+)";
+/// Loads that suit soft rock.
+constexpr const char* light = R"(load.low_stress = 1e3
 load.high_stress = 5e3
 load.cycles = 2
 load.strain_rate = 0.25
 load.most_inertial_number = 2e-2
-data = "oedometer.csv"
-
-[experiments.angle_of_repose]
-funnel.solid = 0.001
-funnel.outlet = 0.15
-funnel.rim = 0.28
-data = "angle_of_repose.csv"
-
-[experiments.drop_slowly]
-kind = "drop_test"
-drop.patience = 1.0
-drop.speeds = [0.5, 0.7, 1.0, 1.2, 1.5]
-data = "drop_slowly.csv"
-
-[experiments.drop_fast]
-kind = "drop_test"
-drop.speeds = [2.5, 3.0, 3.5, 4.0, 4.5]
-data = "drop_fast.csv"
-
-[experiments.tilt_test]
-tilt.rocks = 25
-tilt.rate = 12.0
-data = "tilt_test.csv"
-use = ["angle_deg", "failure_angle_deg"]
-
-[experiments.rising_funnel]
-kind = "angle_of_repose"
-funnel.solid = 0.001
-funnel.outlet = 0.15
-funnel.rim = 0.28
-funnel.clearance = 0.06
-funnel.lift_speed = 0.1
-held_out = true
-data = "rising_funnel.csv"
-
-[experiments.stronger]
-kind = "oedometer"
-container.radius = 0.08
-container.height = 0.08
-load.low_stress = 2e3
+)";
+constexpr const char* heavy = R"(load.low_stress = 2e3
 load.high_stress = 1e4
 load.cycles = 1
 load.strain_rate = 0.25
 load.most_inertial_number = 2e-2
-held_out = true
-data = "stronger.csv"
-use = ["first_modulus_Pa", "settlement"]
 )";
 
-std::vector<Reading> readings(std::size_t replicates) {
-  return {{"immersion", replicates, 5e-4, 0.0},      {"bulk_density", replicates, 1e-3, 0.0},
-          {"tamped", replicates, 1e-3, 0.0},         {"oedometer", replicates, 1e-2, 0.0},
-          {"angle_of_repose", replicates, 0.0, 0.5}, {"drop_slowly", replicates, 5e-3, 0.0},
-          {"drop_fast", replicates, 5e-3, 0.0},      {"tilt_test", replicates, 0.0, 0.3},
-          {"rising_funnel", replicates, 0.0, 0.5},   {"stronger", replicates, 1e-2, 0.0}};
+std::string desk() {
+  return base("4e4", "2.5e5") + single_rocks("4000", "6.0") + container("bulk_density", "0.1", "0.1") +
+         tamped("tamped", "0.1", "0.1", "0.3") + oedometer("oedometer", "0.1", "0.08", "load.cycles = 2\n") +
+         heap("angle_of_repose", "0.002") + heap("rising_funnel", "0.002", rising) +
+         oedometer("stronger", "0.1", "0.08",
+                   std::string{"load.high_stress = 8e4\nload.cycles = 1\n"} + first_loading);
+}
+
+std::string mini() {
+  return base("5e3", "3e4") + soft + single_rocks("1000", "12.0") +
+         container("bulk_density", "0.08", "0.08") + tamped("tamped", "0.08", "0.08", "0.3") +
+         oedometer("oedometer", "0.08", "0.08", light) + heap("angle_of_repose", "0.001") +
+         heap("rising_funnel", "0.001", rising) +
+         oedometer("stronger", "0.08", "0.08", std::string{heavy} + first_loading);
+}
+
+/// Single rocks once more, held out.
+constexpr const char* again = R"(
+[experiments.drop_between]
+kind = "drop_test"
+drop.speeds = [1.7, 1.9, 2.1, 2.3]
+held_out = true
+data = "drop_between.csv"
+
+[experiments.tilt_slowly]
+kind = "tilt_test"
+tilt.rocks = 25
+tilt.rate = 6.0
+held_out = true
+data = "tilt_slowly.csv"
+use = ["angle_deg", "failure_angle_deg"]
+)";
+
+std::string micro() {
+  std::string rock = soft;
+  rock.insert(rock.find("normal"), "fractions = [0.25, 0.0, 0.0, 0.75] # the last are spheres\n");
+  return base("5e3", "3e4") + rock + single_rocks("1000", "12.0") + container("bulk_density", "0.1", "0.1") +
+         tamped("tamped", "0.1", "0.1", "0.3") +
+         oedometer("oedometer", "0.1", "0.08", std::string{"fill.surplus = 0.5\n"} + light) + again +
+         tamped("lightly_tamped", "0.1", "0.1", "0.6", held_out);
+}
+
+std::vector<Reading> readings(const std::string& plan, std::size_t replicates) {
+  std::vector<Reading> out{{"immersion", replicates, 5e-4, 0.0},   {"bulk_density", replicates, 1e-3, 0.0},
+                           {"tamped", replicates, 1e-3, 0.0},      {"oedometer", replicates, 1e-2, 0.0},
+                           {"drop_slowly", replicates, 5e-3, 0.0}, {"drop_fast", replicates, 5e-3, 0.0},
+                           {"tilt_test", replicates, 0.0, 0.3}};
+  if (plan == "micro") {
+    out.push_back({"lightly_tamped", replicates, 1e-3, 0.0});
+    out.push_back({"drop_between", replicates, 5e-3, 0.0});
+    out.push_back({"tilt_slowly", replicates, 0.0, 0.3});
+  } else {
+    out.push_back({"angle_of_repose", replicates, 0.0, 0.5});
+    out.push_back({"rising_funnel", replicates, 0.0, 0.5});
+    out.push_back({"stronger", replicates, 1e-2, 0.0});
+  }
+  return out;
 }
 
 } // namespace
 
 DiagnosisPlan diagnosis_plan(const std::string& name, std::size_t replicates) {
   if (name == "desk") {
-    return {name, desk, readings(replicates)};
+    return {name, desk(), readings(name, replicates)};
   }
   if (name == "mini") {
-    return {name, mini, readings(replicates)};
+    return {name, mini(), readings(name, replicates)};
   }
-  throw Error(message("there is no plan '", name, "' of experiments; there are desk and mini"));
+  if (name == "micro") {
+    return {name, micro(), readings(name, replicates)};
+  }
+  throw Error(message("there is no plan '", name, "' of experiments; there are desk, mini and micro"));
 }
 
 } // namespace scree::examples

@@ -4,11 +4,14 @@
 
 #include "laboratory/measurements.hpp"
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
 
 namespace scree::examples {
+
+inline constexpr std::array diagnosis_plan_names{"desk", "mini", "micro"};
 
 struct DiagnosisPlan {
   std::string name;
@@ -16,8 +19,8 @@ struct DiagnosisPlan {
   std::vector<Reading> readings; ///< of each of its experiments
 };
 
-/// "desk": rock, a few seconds for all experiments once. "mini": some tens of grains, less than a second, for
-/// those who diagnose hundreds of data sets.
+/// "desk": rock, a few seconds for all experiments once. "mini": some tens of softer grains. "micro": most of
+/// them round and no heaps, a second, for those who diagnose hundreds of data sets.
 /// \throws Error for another name.
 DiagnosisPlan diagnosis_plan(const std::string& name, std::size_t replicates);
 

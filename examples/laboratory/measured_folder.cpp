@@ -148,20 +148,26 @@ void read_data(const std::filesystem::path& file, PlannedExperiment& e) {
   }
 }
 
-/// Each curve is a replicate, reduced as those of the simulations are.
+/// Each curve is a replicate, reduced as those of the simulations are. What some of them do not show is left
+/// out.
 void read_curves(const std::vector<std::string>& files, const std::filesystem::path& folder,
                  PlannedExperiment& e) {
+  std::vector<std::vector<double>> replicates;
+  for (const std::string& name : files) {
+    replicates.push_back(e.experiment->reduce(read_csv(folder / name)));
+  }
   const auto observables = e.experiment->observables();
   for (std::size_t k = 0; k < observables.size(); ++k) {
-    e.used.push_back(k);
-    e.measured.push_back({.name = message(e.name, ".", observables[k].name),
-                          .replicates = {},
-                          .logarithmic = observables[k].logarithmic});
-  }
-  for (const std::string& name : files) {
-    const auto values = e.experiment->reduce(read_csv(folder / name));
-    for (std::size_t k = 0; k < values.size(); ++k) {
-      e.measured[k].replicates.push_back(values[k]);
+    Measured measured{.name = message(e.name, ".", observables[k].name),
+                      .replicates = {},
+                      .logarithmic = observables[k].logarithmic};
+    for (const auto& values : replicates) {
+      measured.replicates.push_back(values[k]);
+    }
+    if (std::all_of(measured.replicates.begin(), measured.replicates.end(),
+                    [](double value) { return std::isfinite(value); })) {
+      e.used.push_back(k);
+      e.measured.push_back(std::move(measured));
     }
   }
   e.curve = folder / files.front();

@@ -23,14 +23,26 @@ void write_measurements(const std::filesystem::path& folder, const Plan& plan, T
   auto run = runs.begin();
   for (const Reading& reading : readings) {
     const auto observables = plan.experiments[plan.index_of(reading.experiment)].experiment->observables();
+    std::vector<double> gains;
+    for (const Observable& o : observables) {
+      const auto gain = reading.gains.find(o.name);
+      gains.push_back(gain == reading.gains.end() ? 1.0 : gain->second);
+    }
+    for (const auto& gain : reading.gains) {
+      if (std::none_of(observables.begin(), observables.end(),
+                       [&](const Observable& o) { return o.name == gain.first; })) {
+        throw Error(message(reading.experiment, " has no observable '", gain.first, "'"));
+      }
+    }
     std::vector<std::vector<double>> rows;
     for (std::size_t k = 0; k < reading.replicates; ++k, ++run) {
       if (!run->failure.empty()) {
         throw Error(message(reading.experiment, ", replicate ", k + 1, ": ", run->failure));
       }
       rows.push_back(run->observed);
-      for (double& value : rows.back()) {
-        value += (reading.relative * value + reading.absolute) * noise.normal();
+      for (std::size_t o = 0; o < rows.back().size(); ++o) {
+        double& value = rows.back()[o];
+        value = gains[o] * value + (reading.relative * value + reading.absolute) * noise.normal();
       }
     }
     // What some specimens do not show is not reported.

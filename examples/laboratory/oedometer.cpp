@@ -31,8 +31,12 @@ std::vector<double> observables_of(const std::vector<OedometerCycle>& cycles, do
       std::find_if(cycles.rbegin(), cycles.rend(), [](const OedometerCycle& c) { return c.unloaded; });
   const bool any = full != cycles.rend();
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  return {cycles.back().modulus, cycles.front().modulus, any ? full->unloading_modulus : none,
-          cycles.front().compressed / height, any ? full->hysteresis : none};
+  return {cycles.back().modulus,
+          cycles.front().modulus,
+          any ? full->unloading_modulus : none,
+          cycles.front().compressed / height,
+          any ? full->hysteresis : none,
+          cycles.front().base_share};
 }
 
 class OedometerExperiment final : public Experiment {
@@ -72,11 +76,8 @@ public:
     bind_fill(options, setup_.fill);
   }
   std::vector<Observable> observables() const override {
-    return {{"modulus_Pa"},
-            {"first_modulus_Pa"},
-            {"unloading_modulus_Pa"},
-            {"settlement"},
-            {"hysteresis_J", false}};
+    return {{"modulus_Pa"}, {"first_modulus_Pa"},    {"unloading_modulus_Pa"},
+            {"settlement"}, {"hysteresis_J", false}, {"base_share"}};
   }
   CurveFile curve() const override {
     return {"oedometer.csv", "displacement_m", "lid_force_N", "Load on the lid", "displacement, m", "N"};
@@ -95,8 +96,13 @@ public:
   std::vector<double> reduce(const CsvTable& curve) const override {
     const double area = setup_.container.area(), low = setup_.low_stress * area,
                  range = setup_.high_stress * area - low;
-    const auto all =
-        oedometer_branches(curve.column("displacement_m"), curve.column("lid_force_N"), 0.2 * range);
+    auto all = oedometer_branches(curve.column("displacement_m"), curve.column("lid_force_N"), 0.2 * range);
+    const bool with_base =
+        std::find(curve.columns.begin(), curve.columns.end(), "base_force_N") != curve.columns.end();
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      all[k].base_force =
+          with_base ? curve.column("base_force_N")[k] : std::numeric_limits<double>::quiet_NaN();
+    }
     // Zero where the low load is carried first, as in the simulation.
     const auto begin =
         std::find_if(all.begin(), all.end(), [&](const auto& p) { return p.lid_force >= low; });

@@ -29,7 +29,8 @@ Job Trials::job(const PlannedExperiment& e, const std::vector<double>& parameter
   }
   Job job;
   job.key = message("scree ", SCREE_VERSION, " ", e.kind, " ", e.setup, " ", plan_.rock, values,
-                    " limit=", number_text(limit_), " step=", number_text(step_safety_), " seed=", seed);
+                    " limit=", number_text(limit_), " step=", number_text(step_safety_),
+                    " gives=", e.experiment->observables().size(), " seed=", seed);
   job.work = [this, &e, model = plan_.with(parameters), seed] {
     return e.experiment->observe({.model = model, .seed = seed, .step_safety = step_safety_, .limit = limit_},
                                  {});

@@ -3,6 +3,7 @@
 #include "scree/core/error.hpp"
 #include "scree/io/number_text.hpp"
 #include "scree/laboratory/rock_parameters.hpp"
+#include "support/comma_list.hpp"
 
 #include <algorithm>
 #include <array>
@@ -41,10 +42,7 @@ constexpr std::array known{Known{"rolling_resistance", "rolling_friction", 0.0, 
 
 std::vector<Effect> effects_in(const std::string& text, const ex::Plan& plan, Random& sizes) {
   std::vector<Effect> out;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t comma = std::min(text.find(',', begin), text.size());
-    const std::string one = text.substr(begin, comma - begin);
-    begin = comma + 1;
+  for (const std::string& one : ex::comma_list(text)) {
     const std::size_t equals = one.find('=');
     const std::string name = one.substr(0, equals);
     const auto found =

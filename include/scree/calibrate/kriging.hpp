@@ -6,84 +6,107 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace scree {
 
 /// Universal kriging: a plane, plus a Gaussian process that wanders from it, plus the noise of single runs
-/// (Rasmussen & Williams, Gaussian Processes for Machine Learning, 2006, section 2.7).
-class Kriging {
+/// (Rasmussen & Williams, Gaussian Processes for Machine Learning, 2006, section 2.7). This is all of it that
+/// does not depend on what the runs gave, so several observables of the same runs share it.
+class KrigingFrame {
 public:
   /// \param at a row for each run, a column for each coordinate; they do not lie on a plane
-  /// \param observed of each run
   /// \param length over which the process wanders, in the unit of the coordinates, above 0
   /// \param ratio standard deviation of the process over that of the noise, 0 or above
-  Kriging(const Eigen::MatrixXd& at, const Eigen::VectorXd& observed, double length, double ratio)
-      : length_{length}, ratio2_{ratio * ratio} {
-    const Eigen::Index n = at.rows(), terms = at.cols() + 1;
+  KrigingFrame(Eigen::MatrixXd at, double length, double ratio)
+      : at_{std::move(at)}, length_{length}, ratio2_{ratio * ratio} {
+    const Eigen::Index n = at_.rows(), terms = at_.cols() + 1;
     plane_.resize(n, terms);
-    plane_ << Eigen::VectorXd::Ones(n), at;
+    plane_ << Eigen::VectorXd::Ones(n), at_;
     Eigen::MatrixXd covariance = Eigen::MatrixXd::Identity(n, n);
     for (Eigen::Index i = 0; i < n; ++i) {
-      covariance.col(i) += process(at, at.row(i).transpose());
+      covariance.col(i) += process(at_.row(i).transpose());
     }
     const Eigen::LLT<Eigen::MatrixXd> factor{covariance};
     inverse_ = factor.solve(Eigen::MatrixXd::Identity(n, n));
     const Eigen::MatrixXd across = inverse_ * plane_;
     const Eigen::LDLT<Eigen::MatrixXd> information{plane_.transpose() * across};
     of_plane_ = information.solve(Eigen::MatrixXd::Identity(terms, terms));
-    without_plane_ = inverse_ - across * of_plane_ * across.transpose();
-    trend_ = of_plane_ * (across.transpose() * observed);
-    left_ = without_plane_ * observed;
-    const auto freedom = static_cast<double>(n - terms);
+    to_trend_ = of_plane_ * across.transpose();
+    without_plane_ = inverse_ - across * to_trend_;
+    log_determinants_ = -factor.matrixLLT().diagonal().array().log().sum() -
+                        0.5 * information.vectorD().array().abs().log().sum();
+  }
+
+  /// How many numbers the runs are described with.
+  [[nodiscard]] double numbers() const {
+    return static_cast<double>(inverse_.rows()) - without_plane_.trace();
+  }
+
+  /// A place, as seen from the runs.
+  struct Place {
+    Eigen::VectorXd basis;  ///< of the plane
+    Eigen::VectorXd shared; ///< covariance with each run, over the variance of the noise
+  };
+  [[nodiscard]] Place place(const Eigen::VectorXd& there) const {
+    Place out{Eigen::VectorXd(there.size() + 1), process(there)};
+    out.basis << 1.0, there;
+    return out;
+  }
+  /// Of the mean there, over the variance of the noise.
+  [[nodiscard]] double variance(const Place& place) const {
+    const Eigen::VectorXd weights = inverse_ * place.shared;
+    const Eigen::VectorXd rest = place.basis - plane_.transpose() * weights;
+    return std::max(0.0, ratio2_ - place.shared.dot(weights) + rest.dot(of_plane_ * rest));
+  }
+
+private:
+  friend class Kriging;
+
+  /// Covariance of the process with that at one place, over the variance of the noise.
+  [[nodiscard]] Eigen::VectorXd process(const Eigen::VectorXd& there) const {
+    const Eigen::VectorXd distance2 = (at_.rowwise() - there.transpose()).rowwise().squaredNorm();
+    return (ratio2_ * (distance2 * (-0.5 / (length_ * length_))).array().exp()).matrix();
+  }
+
+  Eigen::MatrixXd at_;
+  double length_, ratio2_;
+  Eigen::MatrixXd plane_, inverse_, of_plane_, to_trend_, without_plane_;
+  double log_determinants_ = 0.0;
+};
+
+/// What runs gave of one observable, as a surface on their frame.
+class Kriging {
+public:
+  Kriging(const KrigingFrame& frame, const Eigen::VectorXd& observed)
+      : trend_{frame.to_trend_ * observed}, left_{frame.without_plane_ * observed} {
+    const auto freedom = static_cast<double>(observed.size() - trend_.size());
     noise_ = std::max(1e-300, observed.dot(left_) / freedom);
-    log_likelihood_ = -factor.matrixLLT().diagonal().array().log().sum() -
-                      0.5 * information.vectorD().array().abs().log().sum() -
-                      0.5 * freedom * std::log(noise_);
+    log_likelihood_ = frame.log_determinants_ - 0.5 * freedom * std::log(noise_);
   }
 
   /// Restricted to what the plane leaves, with the noise that suits best, but for a constant.
   [[nodiscard]] double log_likelihood() const { return log_likelihood_; }
   /// Variance of single runs.
   [[nodiscard]] double noise() const { return noise_; }
-  /// How many numbers the runs are described with.
-  [[nodiscard]] double numbers() const {
-    return static_cast<double>(inverse_.rows()) - without_plane_.trace();
+
+  [[nodiscard]] double mean(const KrigingFrame::Place& place) const {
+    return place.basis.dot(trend_) + place.shared.dot(left_);
   }
 
-  struct Prediction {
-    double mean = 0.0, variance = 0.0; ///< of the mean
-  };
-  /// \param at as given to the constructor
-  [[nodiscard]] Prediction predicted(const Eigen::MatrixXd& at, const Eigen::VectorXd& there) const {
-    const Eigen::VectorXd shared = process(at, there);
-    Eigen::VectorXd basis(there.size() + 1);
-    basis << 1.0, there;
-    const Eigen::VectorXd weights = inverse_ * shared;
-    const Eigen::VectorXd rest = basis - plane_.transpose() * weights;
-    return {basis.dot(trend_) + shared.dot(left_),
-            noise_ * std::max(0.0, ratio2_ - shared.dot(weights) + rest.dot(of_plane_ * rest))};
-  }
-
-  /// Of the mean, along each coordinate.
-  [[nodiscard]] Eigen::VectorXd slope(const Eigen::MatrixXd& at, const Eigen::VectorXd& there) const {
-    const Eigen::VectorXd pull = process(at, there).cwiseProduct(left_) / (length_ * length_);
-    return trend_.tail(there.size()) + at.transpose() * pull - pull.sum() * there;
+  /// Of the mean, along each coordinate. \param there the place
+  [[nodiscard]] Eigen::VectorXd slope(const KrigingFrame& frame, const KrigingFrame::Place& place,
+                                      const Eigen::VectorXd& there) const {
+    const Eigen::VectorXd pull = place.shared.cwiseProduct(left_) / (frame.length_ * frame.length_);
+    return trend_.tail(there.size()) + frame.at_.transpose() * pull - pull.sum() * there;
   }
 
   /// Of each run from what all others say of it, in units of its standard deviation.
-  [[nodiscard]] Eigen::VectorXd left_out() const {
-    return (left_.array() / (without_plane_.diagonal().array() * noise_).max(1e-300).sqrt()).matrix();
+  [[nodiscard]] Eigen::VectorXd left_out(const KrigingFrame& frame) const {
+    return (left_.array() / (frame.without_plane_.diagonal().array() * noise_).max(1e-300).sqrt()).matrix();
   }
 
 private:
-  /// Covariance of the process with that at one place, over the variance of the noise.
-  [[nodiscard]] Eigen::VectorXd process(const Eigen::MatrixXd& at, const Eigen::VectorXd& there) const {
-    const Eigen::VectorXd distance2 = (at.rowwise() - there.transpose()).rowwise().squaredNorm();
-    return (ratio2_ * (distance2 * (-0.5 / (length_ * length_))).array().exp()).matrix();
-  }
-
-  double length_, ratio2_;
-  Eigen::MatrixXd plane_, inverse_, of_plane_, without_plane_;
   Eigen::VectorXd trend_, left_;
   double noise_ = 0.0, log_likelihood_ = 0.0;
 };

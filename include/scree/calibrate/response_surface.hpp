@@ -11,6 +11,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
+#include <map>
+#include <utility>
 #include <vector>
 
 namespace scree {
@@ -34,9 +37,11 @@ public:
     const Eigen::Index m = runs.empty() ? 0 : runs.front().observed.size();
     const auto n = static_cast<Eigen::Index>(runs.size());
     require_enough(n, parameters);
-    noise_.resize(m);
+    noise_ = Eigen::VectorXd::Zero(m);
     freedom_ = static_cast<double>(n - parameters - 1);
     Eigen::MatrixXd left_out = Eigen::MatrixXd::Zero(n, m); // 0 where a run does not show the observable
+    // Observables that the same runs show share their frames.
+    std::map<std::vector<Eigen::Index>, std::vector<Eigen::Index>> observables_of;
     for (Eigen::Index k = 0; k < m; ++k) {
       std::vector<Eigen::Index> shown;
       for (Eigen::Index r = 0; r < n; ++r) {
@@ -44,20 +49,18 @@ public:
           shown.push_back(r);
         }
       }
+      require_enough(static_cast<Eigen::Index>(shown.size()), parameters);
+      observables_of[std::move(shown)].push_back(k);
+    }
+    for (const auto& [shown, observables] : observables_of) {
       const auto count = static_cast<Eigen::Index>(shown.size());
-      require_enough(count, parameters);
-      Eigen::MatrixXd at(count, parameters);
-      Eigen::VectorXd observed(count);
+      Eigen::MatrixXd at(count, parameters), observed(count, static_cast<Eigen::Index>(observables.size()));
       for (Eigen::Index r = 0; r < count; ++r) {
         const Run& run = runs[static_cast<std::size_t>(shown[static_cast<std::size_t>(r)])];
         at.row(r) = run.at.transpose();
-        observed[r] = run.observed[k];
+        observed.row(r) = run.observed(observables).transpose();
       }
-      surfaces_.push_back({at, likely(at, observed)});
-      noise_[k] = averaged(k, [](const Kriging& one) { return one.noise(); });
-      const double numbers = averaged(k, [](const Kriging& one) { return one.numbers(); });
-      freedom_ = std::min(freedom_, std::max(1.0, static_cast<double>(count) - numbers));
-      left_out(shown, k) = surfaces_.back().candidates.front().surface.left_out();
+      left_out(shown, observables) = add_group(at, observed, observables);
     }
     const Eigen::VectorXd size = left_out.colwise().norm().cwiseMax(1e-300);
     correlation_ = (size.cwiseInverse().asDiagonal() * (left_out.transpose() * left_out) *
@@ -77,42 +80,43 @@ public:
     Eigen::VectorXd mean, variance;
   };
   [[nodiscard]] Prediction predicted(const Eigen::VectorXd& at) const {
-    const auto m = static_cast<Eigen::Index>(surfaces_.size());
-    Prediction out{Eigen::VectorXd::Zero(m), Eigen::VectorXd::Zero(m)};
-    for (Eigen::Index k = 0; k < m; ++k) {
-      double square = 0.0;
-      const Surface& surface = surfaces_[static_cast<std::size_t>(k)];
-      for (const Candidate& c : surface.candidates) {
-        const auto [mean, variance] = c.surface.predicted(surface.at, at);
-        out.mean[k] += c.weight * mean;
-        square += c.weight * mean * mean;
-        out.variance[k] += c.weight * variance;
+    Prediction out{Eigen::VectorXd::Zero(noise_.size()), Eigen::VectorXd::Zero(noise_.size())};
+    Eigen::VectorXd square = out.mean;
+    for (const Shared& shared : shared_) {
+      const KrigingFrame::Place place = shared.frame.place(at);
+      const double variance = shared.frame.variance(place);
+      for (const Surface& s : shared.surfaces) {
+        const double mean = s.surface.mean(place);
+        out.mean[s.observable] += s.weight * mean;
+        square[s.observable] += s.weight * mean * mean;
+        out.variance[s.observable] += s.weight * s.surface.noise() * variance;
       }
-      out.variance[k] += std::max(0.0, square - out.mean[k] * out.mean[k]);
     }
+    out.variance += (square - out.mean.cwiseAbs2()).cwiseMax(0.0);
     return out;
   }
   /// Observables by parameters: change per share.
   [[nodiscard]] Eigen::MatrixXd slopes(const Eigen::VectorXd& at) const {
-    Eigen::MatrixXd out = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(surfaces_.size()), at.size());
-    for (Eigen::Index k = 0; k < out.rows(); ++k) {
-      const Surface& surface = surfaces_[static_cast<std::size_t>(k)];
-      for (const Candidate& c : surface.candidates) {
-        out.row(k) += c.weight * c.surface.slope(surface.at, at).transpose();
+    Eigen::MatrixXd out = Eigen::MatrixXd::Zero(noise_.size(), at.size());
+    for (const Shared& shared : shared_) {
+      const KrigingFrame::Place place = shared.frame.place(at);
+      for (const Surface& s : shared.surfaces) {
+        out.row(s.observable) += s.weight * s.surface.slope(shared.frame, place, at).transpose();
       }
     }
     return out;
   }
 
 private:
-  struct Candidate {
-    Kriging surface;
-    double weight;
-  };
-  /// Of one observable, with the runs that show it, a row each.
+  /// One of the surfaces that an observable is averaged over.
   struct Surface {
-    Eigen::MatrixXd at;
-    std::vector<Candidate> candidates;
+    Eigen::Index observable;
+    double weight; ///< they sum to 1 for each observable
+    Kriging surface;
+  };
+  struct Shared {
+    KrigingFrame frame;
+    std::vector<Surface> surfaces{};
   };
 
   static void require_enough(Eigen::Index runs, Eigen::Index parameters) {
@@ -122,45 +126,55 @@ private:
     }
   }
 
-  /// The surfaces that the runs speak for, the best first, with weights that sum to 1.
-  [[nodiscard]] static std::vector<Candidate> likely(const Eigen::MatrixXd& at,
-                                                     const Eigen::VectorXd& observed) {
+  /// Takes the surfaces that the runs speak for.
+  /// \param observed a column for each of `observables`
+  /// \return what the likeliest surface of each leaves out
+  Eigen::MatrixXd add_group(const Eigen::MatrixXd& at, const Eigen::MatrixXd& observed,
+                            const std::vector<Eigen::Index>& observables) {
     static constexpr std::array lengths{0.4, 0.8, 1.6};
     static constexpr std::array ratios{0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 64.0, 256.0};
-    std::vector<Candidate> out{{Kriging{at, observed, 1.0, 0.0}, 0.0}}; // a plane
+    std::vector<Shared> group{{KrigingFrame{at, 1.0, 0.0}}}; // a plane
     for (const double length : lengths) {
       for (const double ratio : ratios) {
-        out.push_back({Kriging{at, observed, length, ratio}, 0.0});
+        group.push_back({KrigingFrame{at, length, ratio}});
       }
     }
-    const auto better = [](const Candidate& a, const Candidate& b) {
-      return a.surface.log_likelihood() > b.surface.log_likelihood();
-    };
-    std::stable_sort(out.begin(), out.end(), better);
-    const double most = out.front().surface.log_likelihood();
-    const auto unlikely = [most](const Candidate& c) { return c.surface.log_likelihood() < most - 5.0; };
-    out.erase(std::find_if(out.begin(), out.end(), unlikely), out.end());
-    double sum = 0.0;
-    for (Candidate& c : out) {
-      c.weight = std::exp(c.surface.log_likelihood() - most);
-      sum += c.weight;
+    Eigen::MatrixXd left_out(observed.rows(), observed.cols());
+    for (Eigen::Index k = 0; k < observed.cols(); ++k) {
+      const Eigen::Index observable = observables[static_cast<std::size_t>(k)];
+      std::vector<Kriging> surfaces;
+      for (const Shared& shared : group) {
+        surfaces.emplace_back(shared.frame, observed.col(k));
+      }
+      const auto best = std::max_element(surfaces.begin(), surfaces.end(), [](const auto& a, const auto& b) {
+        return a.log_likelihood() < b.log_likelihood();
+      });
+      const auto weight_of = [most = best->log_likelihood()](const Kriging& surface) {
+        const double less = most - surface.log_likelihood();
+        return less > 5.0 ? 0.0 : std::exp(-less);
+      };
+      double sum = 0.0;
+      for (const Kriging& surface : surfaces) {
+        sum += weight_of(surface);
+      }
+      double numbers = 0.0;
+      for (std::size_t f = 0; f < group.size(); ++f) {
+        const double weight = weight_of(surfaces[f]) / sum;
+        if (weight > 0.0) {
+          noise_[observable] += weight * surfaces[f].noise();
+          numbers += weight * group[f].frame.numbers();
+          group[f].surfaces.push_back({observable, weight, surfaces[f]});
+        }
+      }
+      freedom_ = std::min(freedom_, std::max(1.0, static_cast<double>(observed.rows()) - numbers));
+      left_out.col(k) = best->left_out(group[static_cast<std::size_t>(best - surfaces.begin())].frame);
     }
-    for (Candidate& c : out) {
-      c.weight /= sum;
-    }
-    return out;
+    std::erase_if(group, [](const Shared& shared) { return shared.surfaces.empty(); });
+    std::move(group.begin(), group.end(), std::back_inserter(shared_));
+    return left_out;
   }
 
-  template <class Of>
-  [[nodiscard]] double averaged(Eigen::Index observable, Of of) const {
-    double sum = 0.0;
-    for (const Candidate& c : surfaces_[static_cast<std::size_t>(observable)].candidates) {
-      sum += c.weight * of(c.surface);
-    }
-    return sum;
-  }
-
-  std::vector<Surface> surfaces_;
+  std::vector<Shared> shared_;
   Eigen::VectorXd noise_;
   Eigen::MatrixXd correlation_;
   double freedom_ = 1.0;

@@ -116,6 +116,10 @@ public:
     }
   }
 
+  Diagnostician(const Diagnostician&) = delete;
+  Diagnostician& operator=(const Diagnostician&) = delete;
+  ~Diagnostician() = default;
+
   /// Where more runs would tell most: at the best points of the most likely hypotheses, as shares of the
   /// space.
   [[nodiscard]] std::vector<Eigen::VectorXd> of_interest(std::size_t count) const {
@@ -128,15 +132,22 @@ public:
     return out;
   }
 
+  /// How often such data would be taken for each of the causes, or for nothing (last), were one of them at
+  /// work. \param value of its first parameter, in its unit; the others as suits the data that there are
+  [[nodiscard]] std::vector<double> taken_for(std::size_t cause, double value) {
+    const Parameter& parameter =
+        space_.parameters()[static_cast<std::size_t>(hypotheses_.at(cause + 1).free()[0])];
+    Random random{setup_.seed, "diagnosis, taken for"};
+    return look_alikes(nearest_point(cause, parameter.share(value)), random);
+  }
+
   [[nodiscard]] Diagnosis operator()() {
     Random random{setup_.seed, "diagnosis"};
     Diagnosis out;
-    const std::size_t singles = hypotheses_.size();
-    const AlarmTest alarm{court_, hypotheses_, setup_.draws, random};
-    out.alarm = alarm(seen_);
+    out.alarm = alarm()(std::span{seen_}.first(singles()));
     out.base_adequacy = out.alarm.omnibus;
     residuals(out);
-    look_alikes(out, alarm, random);
+    confusion(out, random);
     if (out.alarm.p > setup_.false_alarms) {
       judge_silence(out);
       rank(out);
@@ -146,7 +157,7 @@ public:
     std::size_t best = by_likelihood().front();
     double fits = adequacy(court_, hypotheses_[best], seen_[best], setup_.draws, random);
     if (best == 0 || fits < setup_.least_adequacy) {
-      try_pairs(singles);
+      try_pairs();
       best = by_likelihood().front();
       fits = adequacy(court_, hypotheses_[best], seen_[best], setup_.draws, random);
     }
@@ -209,10 +220,10 @@ private:
   }
 
   /// Each of the most likely causes together with each other one.
-  void try_pairs(std::size_t singles) {
+  void try_pairs() {
     std::vector<std::size_t> first;
     for (const std::size_t h : by_likelihood()) {
-      if (h > 0 && h < singles && first.size() < setup_.pair_partners) {
+      if (h > 0 && h < singles() && first.size() < setup_.pair_partners) {
         first.push_back(h - 1);
       }
     }
@@ -250,26 +261,43 @@ private:
     }
   }
 
+  /// The base model and the single causes.
+  [[nodiscard]] std::size_t singles() const { return space_.causes().size() + 1; }
+  [[nodiscard]] std::span<const Hypothesis> single() const { return std::span{hypotheses_}.first(singles()); }
+
+  const AlarmTest& alarm() {
+    if (!alarm_) {
+      Random random{setup_.seed, "diagnosis, alarm"};
+      alarm_.emplace(court_, single(), setup_.draws, random);
+    }
+    return *alarm_;
+  }
+
+  [[nodiscard]] const Hypothesis::Point& nearest_point(std::size_t cause, double share) const {
+    const auto& points = hypotheses_[cause + 1].points();
+    return *std::min_element(points.begin(), points.end(), [&](const auto& a, const auto& b) {
+      return std::abs(a.shares[0] - share) < std::abs(b.shares[0] - share);
+    });
+  }
+
+  /// What data from `truth` would be taken for; for nothing last.
+  [[nodiscard]] std::vector<double> look_alikes(const Hypothesis::Point& truth, Random& random) {
+    const std::size_t draws = std::max<std::size_t>(setup_.draws / 8, 20);
+    std::vector<double> row =
+        scree::taken_for(court_, single(), alarm(), setup_.false_alarms, truth, draws, random);
+    std::rotate(row.begin(), row.begin() + 1, row.end());
+    return row;
+  }
+
   /// Which causes these data could tell from each other and from nothing.
-  void look_alikes(Diagnosis& out, const AlarmTest& alarm, Random& random) const {
-    const std::size_t causes = space_.causes().size(), draws = std::max<std::size_t>(setup_.draws / 8, 20);
-    const auto row_of = [&](const Hypothesis::Point& truth) {
-      std::vector<double> row =
-          taken_for(court_, hypotheses_, alarm, setup_.false_alarms, truth, draws, random);
-      std::rotate(row.begin(), row.begin() + 1, row.end()); // none last
-      return row;
-    };
-    for (std::size_t c = 0; c < causes; ++c) {
+  void confusion(Diagnosis& out, Random& random) {
+    for (std::size_t c = 0; c < space_.causes().size(); ++c) {
       const double null = space_.null()[hypotheses_[c + 1].free()[0]];
       const double half = null < 0.5 ? null + 0.5 * (1.0 - null) : 0.5 * null;
-      const auto& points = hypotheses_[c + 1].points();
-      const auto nearest = std::min_element(points.begin(), points.end(), [&](const auto& a, const auto& b) {
-        return std::abs(a.shares[0] - half) < std::abs(b.shares[0] - half);
-      });
-      out.confusion.push_back(row_of(*nearest));
+      out.confusion.push_back(look_alikes(nearest_point(c, half), random));
       out.power.push_back(1.0 - out.confusion.back().back());
     }
-    out.confusion.push_back(row_of(hypotheses_[0].points()[0]));
+    out.confusion.push_back(look_alikes(hypotheses_[0].points()[0], random));
   }
 
   void judge_silence(Diagnosis& out) const {
@@ -361,6 +389,7 @@ private:
   Court court_;
   std::vector<Hypothesis> hypotheses_; // the base model, the single causes, pairs
   std::vector<Judgement> seen_;        // of the measured data, one each
+  std::optional<AlarmTest> alarm_{};   // made when it is needed
 };
 
 } // namespace scree

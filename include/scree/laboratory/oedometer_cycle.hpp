@@ -34,10 +34,13 @@ struct SlopeWindow {
 
 /// One loading and the unloading after it.
 struct OedometerCycle {
-  double slope = 0.0;             ///< N/m, of the loading between the two points
-  double slope_error = 0.0;       ///< N/m, standard error of the straight line's slope
-  double modulus = 0.0;           ///< Pa, that slope as one of stress against strain
-  double compressed = 0.0;        ///< m, displacement at the end of the loading
+  double slope = 0.0;       ///< N/m, of the loading between the two points
+  double slope_error = 0.0; ///< N/m, standard error of the straight line's slope
+  double modulus = 0.0;     ///< Pa, that slope as one of stress against strain
+  double compressed = 0.0;  ///< m, displacement at the end of the loading
+  /// Of the lid's force, what reaches the base between the two points of the loading, with the weight of the
+  /// grains: the mantle bears the rest.
+  double base_share = 0.0;
   bool unloaded = false;          ///< whether there is an unloading, and with it the rest
   double unloading_modulus = 0.0; ///< Pa, of the unloading between the same loads
   double permanent = 0.0;         ///< m, displacement at the end of the unloading
@@ -85,7 +88,7 @@ inline Line line_of_branch(std::span<const OedometerPoint> curve, std::size_t cy
 inline OedometerCycle oedometer_cycle(std::span<const OedometerPoint> curve, std::size_t cycle,
                                       const SlopeWindow& window) {
   OedometerCycle out;
-  double work = 0.0;
+  double work = 0.0, lid = 0.0, base = 0.0;
   const OedometerPoint *first = nullptr, *before = nullptr;
   for (const OedometerPoint& p : curve) {
     if (p.cycle != cycle) {
@@ -93,6 +96,10 @@ inline OedometerCycle oedometer_cycle(std::span<const OedometerPoint> curve, std
     }
     if (before != nullptr) {
       work += 0.5 * (p.lid_force + before->lid_force) * (p.displacement - before->displacement);
+    }
+    if (p.loading && p.lid_force >= window.low_force && p.lid_force <= window.high_force) {
+      lid += p.lid_force;
+      base += p.base_force;
     }
     (p.loading ? out.compressed : out.permanent) = p.displacement;
     out.unloaded = out.unloaded || !p.loading;
@@ -104,6 +111,7 @@ inline OedometerCycle oedometer_cycle(std::span<const OedometerPoint> curve, std
   out.slope = loading.slope;
   out.slope_error = loading.error;
   out.modulus = loading.slope * to_modulus;
+  out.base_share = base / lid;
   if (out.unloaded) {
     out.unloading_modulus = detail::line_of_branch(curve, cycle, false, window).slope * to_modulus;
     out.hysteresis =

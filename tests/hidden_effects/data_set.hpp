@@ -1,0 +1,81 @@
+#pragma once
+/// \file
+/// What is hidden in made data: effects, none, or what no cause can explain.
+
+#include "make_measured/laboratory.hpp"
+
+#include "scree/core/error.hpp"
+#include "scree/core/random.hpp"
+#include "scree/io/number_text.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace hidden {
+
+/// Causes whose traces the experiments of the plan "micro" show.
+inline constexpr std::array effects{"rolling_resistance", "normal_law", "normal_hysteresis",
+                                    "wall_friction",      "damping",    "initial_packing",
+                                    "shape_fraction",     "size_scale"};
+
+/// Pairs of them that do not speak through the same observables only.
+inline constexpr std::array pairs{
+    std::array{"rolling_resistance", "damping"}, std::array{"normal_hysteresis", "shape_fraction"},
+    std::array{"normal_law", "initial_packing"}, std::array{"wall_friction", "size_scale"}};
+
+/// What a laboratory does wrong, by how much; all as large as the experiments can show.
+inline std::vector<make_measured::Order> faults(scree::Random& size) {
+  const auto misread = [&](const std::string& what, double least, double most) {
+    return make_measured::Order{.misread = what + "=" + scree::number_text(size.uniform(least, most))};
+  };
+  const std::string fast = scree::number_text(size.uniform(0.83, 0.88));
+  return {misread("bulk_density.bulk_density_kg_m3", 0.75, 0.82),
+          misread("bulk_density.bulk_density_kg_m3", 1.2, 1.3),
+          misread("tamped.bulk_density_kg_m3", 0.8, 0.87),
+          misread("tilt_test.failure_angle_deg", 1.9, 2.4),
+          {.misread = "drop_fast.restitution=" + fast + ",drop_fast.energy_restitution=" + fast},
+          {.misstated =
+               "experiments.tamped.fill.packing_friction=" + scree::number_text(size.uniform(0.9, 1.1))}};
+}
+
+enum class Kind { nothing, one, two, outside };
+
+struct DataSet {
+  Kind kind;
+  make_measured::Order order;
+};
+
+/// 24 sets with one effect, 12 with nothing, 6 with what is none of the causes and 4 with two effects, all
+/// that `times`; sizes and rocks are drawn.
+inline std::vector<DataSet> data_sets(std::uint64_t seed, std::size_t times) {
+  std::vector<DataSet> out;
+  scree::Random random{seed, "hidden effects"};
+  const auto add = [&](Kind kind, make_measured::Order order) {
+    order.plan = "micro";
+    order.replicates = 4;
+    order.seed = random.index(std::size_t{1} << 53U);
+    out.push_back({kind, std::move(order)});
+  };
+  for (std::size_t k = 0; k < times; ++k) {
+    for (std::size_t of_each = 0; of_each < 3; ++of_each) {
+      for (const char* effect : effects) {
+        add(Kind::one, {.effects = std::string{effect} + "=auto"});
+      }
+    }
+    for (std::size_t n = 0; n < 12; ++n) {
+      add(Kind::nothing, {});
+    }
+    for (make_measured::Order& fault : faults(random)) {
+      add(Kind::outside, std::move(fault));
+    }
+    for (const auto& pair : pairs) {
+      add(Kind::two, {.effects = scree::message(pair[0], "=auto,", pair[1], "=auto")});
+    }
+  }
+  return out;
+}
+
+} // namespace hidden
