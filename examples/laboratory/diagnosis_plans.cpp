@@ -131,7 +131,7 @@ std::string mini() {
 constexpr const char* again = R"(
 [experiments.drop_between]
 kind = "drop_test"
-drop.speeds = [1.7, 1.9, 2.1, 2.3]
+drop.speeds = [1.6, 1.8, 2.0, 2.2, 2.4]
 held_out = true
 data = "drop_between.csv"
 

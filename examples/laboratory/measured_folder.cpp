@@ -62,15 +62,6 @@ struct Source {
   }
 };
 
-/// A copy of `table` without some of its keys; lines are kept.
-toml::table without(const toml::table& table, const std::set<std::string>& keys) {
-  toml::table rest = table;
-  for (const std::string& key : keys) {
-    rest.erase(key);
-  }
-  return rest;
-}
-
 /// A plan without parameters and experiments.
 Plan read_rock(const Source& source, const std::filesystem::path& folder, const toml::table& top, bool desk) {
   RockOptions rock{desk};
@@ -203,8 +194,9 @@ void read_experiment(const Source& source, const std::string& name, const toml::
   }
   Options options{"calibrate", ""};
   e.experiment->bind(options);
-  const std::set<std::string> own{"kind", "data", "curves", "curve", "use", "standard_error", "held_out"};
-  detail::read_toml(options.entries(), without(table, own), "", source.file);
+  static const std::set<std::string_view> own{"kind", "data",           "curves",  "curve",
+                                              "use",  "standard_error", "held_out"};
+  detail::read_toml(options.entries(), table, "", source.file, own);
   e.setup = options.json().dump();
 
   if (const toml::node* held_out = table.get("held_out")) {

@@ -15,8 +15,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <set>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -88,10 +90,14 @@ inline void set_from_toml(OptionsEntry& e, const toml::node& node, const std::st
 }
 
 /// Gives the parameters what a table holds; `prefix` is the path of the table itself, with a dot at its end.
+/// \param others keys of the table that are for somebody else
 /// \throws Error with file and line for an unknown name and for a value that its parameter cannot take.
 inline void read_toml(std::vector<OptionsEntry>& entries, const toml::table& table, const std::string& prefix,
-                      const std::string& file) {
+                      const std::string& file, const std::set<std::string_view>& others = {}) {
   for (const auto& [key, node] : table) {
+    if (others.contains(key.str())) {
+      continue;
+    }
     const std::string name = prefix + std::string{key.str()};
     const auto line = node.source().begin.line;
     const std::string inside = name + ".";

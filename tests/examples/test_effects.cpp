@@ -2,6 +2,7 @@
 #include "laboratory/diagnosis_plans.hpp"
 #include "laboratory/measured_folder.hpp"
 #include "make_measured/effects.hpp"
+#include "make_measured/faults.hpp"
 #include "support/scratch_folder.hpp"
 
 #include "scree/io/atomic_file.hpp"
@@ -63,6 +64,35 @@ TEST_CASE("effects that make no sense are refused") {
   CHECK(complaint("damping=2") == "effect damping = 2 is outside [0.01, 1]");
   CHECK(complaint("particle_density=2000") ==
         "effect = particle_density=2000: particle_density is a base parameter of this plan");
+}
+
+TEST_CASE("what a laboratory does wrong is read, and refused where it makes no sense") {
+  const std::string stated = examples::diagnosis_plan("micro", 4).toml;
+  const std::string truly =
+      make_measured::as_it_was(stated, "experiments.tamped.fill.packing_friction=0.9,rock.density=1700");
+  const test::ScratchFolder scratch;
+  write_atomically(scratch / "calibration.toml", truly);
+  const examples::Plan plan = examples::read_plan(scratch.path(), examples::Data::none);
+  CHECK(plan.experiments[plan.index_of("tamped")].setup.find("\"fill.packing_friction\":0.9") !=
+        std::string::npos);
+  CHECK(plan.model.sample.rock.density == 1700.0);
+  const auto refused = [&](const std::string& misstated) {
+    CHECK_THROWS_AS((void)make_measured::as_it_was(stated, misstated), Error);
+  };
+  refused("rock.density");
+  refused("=3");
+  refused("nowhere.density=1700");
+
+  auto readings = examples::diagnosis_plan("micro", 4).readings;
+  make_measured::misread("tamped.bulk_density_kg_m3=1.2", readings);
+  const auto tamped = std::find_if(readings.begin(), readings.end(),
+                                   [](const examples::Reading& r) { return r.experiment == "tamped"; });
+  CHECK(tamped->gains.at("bulk_density_kg_m3") == 1.2);
+  for (const char* misread :
+       {"tamped=1.2", "heap.angle_deg=2", "tamped.bulk_density_kg_m3=much", "tamped.bulk_density_kg_m3=0"}) {
+    CAPTURE(misread);
+    CHECK_THROWS_AS(make_measured::misread(misread, readings), Error);
+  }
 }
 
 TEST_CASE("the catalogue has the null values of the plan's rock, and leaves out what is looked for anyway") {

@@ -93,13 +93,13 @@ specimen.height = 0.2
 load.low_stress = 1e3
 load.high_stress = 1e4
 curves = ["1.csv"]
-standard_error = {modulus_Pa = 1e4, first_modulus_Pa = 1e4, unloading_modulus_Pa = 1e4, settlement = 1e-3, hysteresis_J = 0.1}
+standard_error = {modulus_Pa = 1e4, first_modulus_Pa = 1e4, unloading_modulus_Pa = 1e4, settlement = 1e-3, hysteresis_J = 0.1, base_share = 0.01}
 )"});
   // Up at 2e5 N/m to 707 N, down at 4e5 N/m to 71 N, up again at 3e5 N/m.
-  std::string curve = "displacement_m,lid_force_N\n";
+  std::string curve = "displacement_m,lid_force_N,base_force_N\n";
   const double low = 71.0, high = 707.0;
   const auto row = [&](double displacement, double force) {
-    curve += message(displacement + 0.003, ",", force, "\n");
+    curve += message(displacement + 0.003, ",", force, ",", 0.7 * force, "\n");
   };
   row(-0.003, 0.0); // the lid finds its seat
   row(-0.001, 10.0);
@@ -125,6 +125,7 @@ standard_error = {modulus_Pa = 1e4, first_modulus_Pa = 1e4, unloading_modulus_Pa
   CHECK(measured.at(2).replicates.at(0) == doctest::Approx(4e5 * to_modulus).epsilon(1e-4));
   CHECK(measured.at(3).replicates.at(0) == doctest::Approx(range / 2e5 / 0.2).epsilon(1e-4));
   CHECK(measured.at(4).replicates.at(0) == doctest::Approx(0.5 * range * range / 4e5).epsilon(1e-3));
+  CHECK(measured.at(5).replicates.at(0) == doctest::Approx(0.7));
 }
 
 TEST_CASE("a fault in a folder of measurements is told by file and line") {
@@ -142,7 +143,9 @@ TEST_CASE("a fault in a folder of measurements is told by file and line") {
   says(complaint("fidelity = \"desk\"\n"), "the file has no [parameters.NAME]");
   says(complaint("[parameters.friction]\nleast = 0.5\nmost = 0.9\n"), "the file has no [experiments.NAME]");
   says(complaint("oddity = 1\n" + top), "there is no 'oddity'");
+  says(complaint(top + "data = \"heap.csv\"\nfunnel.sold = 1.0\n"), "calibration.toml:13: ");
   says(complaint(top + "funnel.sold = 1.0\ndata = \"heap.csv\"\n"), "did you mean 'funnel.solid'?");
+  says(complaint(top + "data = \"heap.csv\"\nfunnel.rim = \"wide\"\n"), "calibration.toml:13: ");
   says(complaint(top + "data = \"none.csv\"\n"), "none.csv");
   says(complaint(top + "data = \"heap.csv\"\n", "angle\n30\n31\n"), "column angle is nothing that");
   says(complaint(top + "data = \"heap.csv\"\n", "angle_deg\n30\n"), "a single replicate needs an error");
