@@ -15,7 +15,6 @@
 
 #include <cstdint>
 #include <cstdio>
-#include <exception>
 #include <filesystem>
 #include <string>
 
@@ -176,20 +175,11 @@ private:
 } // namespace
 
 int main(int argc, char** argv) {
-  ex::CrewOfProgram crew{argc, argv};
-  try {
+  return ex::run_with_crew("calibrate", argc, argv, [&](ex::CrewOfProgram& crew) {
     Wish wish;
     ex::Options options{"calibrate", "Finds the parameters of rock from measured experiments."};
     bind(options, wish);
     options.parse(argc, argv);
     Work{wish, options, crew}();
-    return 0;
-  } catch (const ex::HelpWanted& help) {
-    fmt::print("{}", help.text);
-    return 0;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "calibrate: {}\n", error.what());
-    crew.fail();
-    return 2;
-  }
+  });
 }

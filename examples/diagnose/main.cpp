@@ -18,7 +18,6 @@
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
-#include <exception>
 #include <filesystem>
 #include <string>
 
@@ -97,20 +96,11 @@ void work(const Wish& wish, const ex::Options& options, ex::CrewOfProgram& crew)
 } // namespace
 
 int main(int argc, char** argv) {
-  ex::CrewOfProgram crew{argc, argv};
-  try {
+  return ex::run_with_crew("diagnose", argc, argv, [&](ex::CrewOfProgram& crew) {
     Wish wish;
     ex::Options options{"diagnose", "Says what a simulation gets wrong beside measured data, and why."};
     bind(options, wish);
     options.parse(argc, argv);
     work(wish, options, crew);
-    return 0;
-  } catch (const ex::HelpWanted& help) {
-    fmt::print("{}", help.text);
-    return 0;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "diagnose: {}\n", error.what());
-    crew.fail();
-    return 2;
-  }
+  });
 }

@@ -12,7 +12,6 @@
 
 #include <cstdint>
 #include <cstdio>
-#include <exception>
 #include <filesystem>
 #include <string>
 
@@ -62,20 +61,11 @@ void work(const Wish& wish, const ex::Options& options, ex::CrewOfProgram& crew)
 } // namespace
 
 int main(int argc, char** argv) {
-  ex::CrewOfProgram crew{argc, argv};
-  try {
+  return ex::run_with_crew("make_measured", argc, argv, [&](ex::CrewOfProgram& crew) {
     Wish wish;
     ex::Options options{"make_measured", "Makes data as a laboratory would, with effects hidden in them."};
     bind(options, wish);
     options.parse(argc, argv);
     work(wish, options, crew);
-    return 0;
-  } catch (const ex::HelpWanted& help) {
-    fmt::print("{}", help.text);
-    return 0;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "make_measured: {}\n", error.what());
-    crew.fail();
-    return 2;
-  }
+  });
 }

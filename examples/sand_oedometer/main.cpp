@@ -19,7 +19,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <exception>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -321,8 +320,7 @@ private:
 } // namespace
 
 int main(int argc, char** argv) {
-  ex::CrewOfProgram crew{argc, argv};
-  try {
+  return ex::run_with_crew("sand_oedometer", argc, argv, [&](ex::CrewOfProgram& crew) {
     Wish wish;
     ex::Options options{"sand_oedometer",
                         "A linear contact law beside oedometer tests on Karlsruhe fine sand."};
@@ -346,13 +344,5 @@ int main(int argc, char** argv) {
       throw Error("--reference must name the folder of the measurements");
     }
     Work{wish, options, crew}();
-    return 0;
-  } catch (const ex::HelpWanted& help) {
-    fmt::print("{}", help.text);
-    return 0;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "sand_oedometer: {}\n", error.what());
-    crew.fail();
-    return 2;
-  }
+  });
 }

@@ -16,7 +16,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <exception>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -254,7 +253,7 @@ private:
   std::vector<ex::Panel> panels_;
 };
 
-int run(int argc, char** argv, ex::CrewOfProgram& crew) {
+void run(int argc, char** argv, ex::CrewOfProgram& crew) {
   std::string fidelity = ex::Options::peek(argc, argv, "fidelity").value_or("desk");
   const bool desk = fidelity == "desk";
   Wish wish;
@@ -277,21 +276,11 @@ int run(int argc, char** argv, ex::CrewOfProgram& crew) {
   ex::bind(options, rock, rig);
   options.parse(argc, argv);
   Work{wish, options, rock, rig, desk, crew}();
-  return 0;
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
-  ex::CrewOfProgram crew{argc, argv};
-  try {
-    return run(argc, argv, crew);
-  } catch (const ex::HelpWanted& help) {
-    fmt::print("{}", help.text);
-    return 0;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "sensitivity: {}\n", error.what());
-    crew.fail();
-    return 2;
-  }
+  return ex::run_with_crew("sensitivity", argc, argv,
+                           [&](ex::CrewOfProgram& crew) { run(argc, argv, crew); });
 }

@@ -1,7 +1,10 @@
 #include "support/crew.hpp"
 
 #include "scree/core/error.hpp"
+#include "support/options.hpp"
 #include "support/results.hpp"
+
+#include <fmt/format.h>
 
 #ifdef SCREE_MPI
 #include <boost/mpi/collectives.hpp>
@@ -11,6 +14,7 @@
 #endif
 
 #include <cstdio>
+#include <exception>
 #include <memory>
 #include <random>
 #include <string>
@@ -94,6 +98,22 @@ CrewFolders CrewOfProgram::folders(const std::string& wanted, const std::string&
   thrown_away_ = std::filesystem::temp_directory_path() / message("scree_crew_", entropy(), entropy());
   std::filesystem::create_directories(thrown_away_);
   return {thrown_away_, common};
+}
+
+int run_with_crew(const std::string& program, int argc, char** argv,
+                  const std::function<void(CrewOfProgram&)>& work) {
+  CrewOfProgram crew{argc, argv};
+  try {
+    work(crew);
+    return 0;
+  } catch (const HelpWanted& help) {
+    fmt::print("{}", help.text);
+    return 0;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "{}: {}\n", program, error.what());
+    crew.fail();
+    return 2;
+  }
 }
 
 } // namespace scree::examples

@@ -5,6 +5,7 @@
 #include "scree/laboratory/campaign.hpp"
 
 #include <filesystem>
+#include <functional>
 #include <string>
 
 namespace scree::examples {
@@ -41,5 +42,11 @@ private:
   Crew crew_;
   std::filesystem::path thrown_away_;
 };
+
+/// The main() of a program whose processes work together: an error is told with the program's name, and ends
+/// all of them.
+/// \return what the program ends with: 0, or 2 after an error
+int run_with_crew(const std::string& program, int argc, char** argv,
+                  const std::function<void(CrewOfProgram&)>& work);
 
 } // namespace scree::examples
