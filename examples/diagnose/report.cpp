@@ -156,6 +156,10 @@ Json verdict(const Case& c) {
     }
     out["evidence"].push_back(std::move(one));
   }
+  const auto alike = std::count(d.scatter.holds.begin(), d.scatter.holds.end(), true);
+  out["scatter"] = {{"observables", alike},
+                    {"measured_over_simulated_variance", d.scatter.ratio},
+                    {"freedom", d.scatter.freedom}};
   out["adequacy"] = {{"base", d.base_adequacy}, {"best", d.ranking.front().adequacy}};
   for (std::size_t a = 0; a < d.confusion.size(); ++a) {
     const std::string truth =
@@ -309,10 +313,15 @@ std::string page(const Case& c) {
       "<h2>Assumptions and cost</h2>\n<p>{} runs of all experiments, {} failed, {:.0f} s. Means of "
       "replicates are "
       "taken as Student-distributed; what was measured on the same specimens scatters together as simulated "
-      "runs do. Each cause is as likely beforehand as any other, and its parameter anywhere in its range; "
+      "runs do. Of {} observables the scatter is known beforehand too, from simulated specimens, as surely "
+      "as from {:.1f} more. Each cause is as likely beforehand as any other, and its parameter anywhere in "
+      "its range; "
       "two "
       "together are less likely.</p>\n<table><tr><th>cause<th>parameter<th>range<th>null</tr>\n",
-      c.diagnosed.log.asked(), c.diagnosed.log.failed(), c.seconds);
+      c.diagnosed.log.asked(), c.diagnosed.log.failed(), c.seconds,
+      std::count(c.diagnosed.diagnosis.scatter.holds.begin(), c.diagnosed.diagnosis.scatter.holds.end(),
+                 true),
+      c.diagnosed.diagnosis.scatter.freedom);
   for (const Cause& cause : c.diagnosed.space.causes()) {
     for (std::size_t k = 0; k < cause.parameters.size(); ++k) {
       const Parameter& p = cause.parameters[k];

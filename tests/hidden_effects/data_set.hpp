@@ -26,19 +26,23 @@ inline constexpr std::array pairs{
     std::array{"rolling_resistance", "damping"}, std::array{"normal_hysteresis", "shape_fraction"},
     std::array{"normal_law", "initial_packing"}, std::array{"wall_friction", "size_scale"}};
 
-/// What a laboratory does wrong, by how much; all as large as the experiments can show.
+/// What a laboratory reads off wrong, by how much; as large as these experiments can show. Not among them is
+/// what causes mimic: too low a bulk density is taken for one of several that make a bed looser.
 inline std::vector<make_measured::Order> faults(scree::Random& size) {
-  const auto misread = [&](const std::string& what, double least, double most) {
-    return make_measured::Order{.misread = what + "=" + scree::number_text(size.uniform(least, most))};
+  const auto misread = [&](double least, double most, const std::vector<std::string>& what) {
+    const std::string factor = "=" + scree::number_text(size.uniform(least, most));
+    make_measured::Order order;
+    for (const std::string& observable : what) {
+      order.misread += (order.misread.empty() ? "" : ",") + observable + factor;
+    }
+    return order;
   };
-  const std::string fast = scree::number_text(size.uniform(0.83, 0.88));
-  return {misread("bulk_density.bulk_density_kg_m3", 0.75, 0.82),
-          misread("bulk_density.bulk_density_kg_m3", 1.2, 1.3),
-          misread("tamped.bulk_density_kg_m3", 0.8, 0.87),
-          misread("tilt_test.failure_angle_deg", 1.9, 2.4),
-          {.misread = "drop_fast.restitution=" + fast + ",drop_fast.energy_restitution=" + fast},
-          {.misstated =
-               "experiments.tamped.fill.packing_friction=" + scree::number_text(size.uniform(0.9, 1.1))}};
+  return {misread(1.3, 1.4, {"bulk_density.bulk_density_kg_m3"}),
+          misread(1.25, 1.35, {"tamped.bulk_density_kg_m3"}),
+          misread(2.5, 3.5, {"tilt_test.angle_deg", "tilt_test.failure_angle_deg"}),
+          misread(0.75, 0.85, {"drop_fast.restitution", "drop_fast.energy_restitution"}),
+          misread(1.25, 1.35, {"drop_slowly.restitution", "drop_slowly.energy_restitution"}),
+          misread(0.55, 0.65, {"oedometer.base_share"})};
 }
 
 enum class Kind { nothing, one, two, outside };

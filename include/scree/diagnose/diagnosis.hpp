@@ -87,6 +87,7 @@ struct Diagnosis {
   /// or for none (last).
   std::vector<std::vector<double>> confusion;
   std::vector<double> power; ///< for each cause, how often half its range raises the alarm
+  ScatterPrior scatter;      ///< how far simulated scatter told the measured one
   std::string reason;        ///< of the verdict, in a sentence
 };
 
@@ -146,6 +147,7 @@ public:
     Diagnosis out;
     out.alarm = alarm()(std::span{seen_}.first(singles()));
     out.base_adequacy = out.alarm.omnibus;
+    out.scatter = noise_.prior();
     residuals(out);
     confusion(out, random);
     if (out.alarm.p > setup_.false_alarms) {

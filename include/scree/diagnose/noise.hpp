@@ -6,6 +6,7 @@
 #include "scree/calibrate/measured.hpp"
 #include "scree/calibrate/response_surface.hpp"
 #include "scree/core/random.hpp"
+#include "scree/diagnose/scatter_prior.hpp"
 
 #include <Eigen/Dense>
 
@@ -25,7 +26,8 @@ struct Readings {
   Eigen::VectorXd variance; ///< of the mean, as estimated from the replicates
 };
 
-/// The noise of measurements and simulations; what was measured on the same specimens scatters together.
+/// The noise of measurements and simulations; what was measured on the same specimens scatters together, and
+/// as much as simulated specimens do where these are alike (`ScatterPrior`).
 class Noise {
 public:
   struct Group {
@@ -36,7 +38,7 @@ public:
   };
 
   Noise(std::span<const Measured> measured, const ResponseSurface& response)
-      : simulated_freedom_{response.freedom()} {
+      : simulated_freedom_{response.freedom()}, prior_{ScatterPrior::seen_from(measured, response.noise())} {
     const auto m = static_cast<Eigen::Index>(measured.size());
     readings_.mean.resize(m);
     readings_.variance.resize(m);
@@ -45,13 +47,21 @@ public:
       const Measured& one = measured[static_cast<std::size_t>(k)];
       readings_.mean[k] = one.mean();
       readings_.variance[k] = variance_of(one);
+      double freedom = one.freedom();
+      if (prior_.holds[static_cast<std::size_t>(k)]) {
+        const double beforehand =
+            prior_.ratio * response.noise()[k] / static_cast<double>(one.replicates.size());
+        readings_.variance[k] =
+            (freedom * readings_.variance[k] + prior_.freedom * beforehand) / (freedom + prior_.freedom);
+        freedom += prior_.freedom;
+      }
       const auto [at, added] = known.emplace(one.specimens, groups_.size());
       if (added) {
         groups_.push_back({{}, most_freedom, {}, {}});
       }
       Group& group = groups_[at->second];
       group.members.push_back(k);
-      group.freedom = std::min(group.freedom, one.freedom());
+      group.freedom = std::min(group.freedom, freedom);
     }
     const Eigen::MatrixXd together = correlation_of_noise(measured, response);
     for (Group& group : groups_) {
@@ -63,6 +73,7 @@ public:
   [[nodiscard]] const std::vector<Group>& groups() const { return groups_; }
   [[nodiscard]] double simulated_freedom() const { return simulated_freedom_; }
   [[nodiscard]] const Readings& readings() const { return readings_; }
+  [[nodiscard]] const ScatterPrior& prior() const { return prior_; }
 
   /// As the laboratory would read other specimens, were `mean` the truth and their scatter as it was
   /// measured.
@@ -100,6 +111,7 @@ private:
   std::vector<Group> groups_;
   Readings readings_;
   double simulated_freedom_;
+  ScatterPrior prior_;
 };
 
 } // namespace scree
