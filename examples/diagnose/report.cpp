@@ -143,8 +143,9 @@ Json verdict(const Case& c) {
   }
   out["model"] = model_to_write(c);
   out["alarm"] = {{"p", d.alarm.p}, {"omnibus", d.alarm.omnibus}, {"directed", d.alarm.directed}};
-  out["where"] = {{"observable", c.diagnosed.fitted[d.where].name},
-                  {"standardised_residual", d.where_residual}};
+  out["where"] = {{"observable", c.diagnosed.fitted[d.where.observable].name},
+                  {"range", {c.diagnosed.fitted[d.where.onset].name, c.diagnosed.fitted[d.where.end].name}},
+                  {"standardised_residual", d.where.residuals[d.where.observable]}};
   for (const Ranked& r : d.ranking) {
     Json one{{"causes", Json::array()}, {"log_odds_over_base", r.log_odds}, {"deviance", r.deviance}};
     for (const std::size_t k : r.causes) {
@@ -207,13 +208,14 @@ std::string observables_table(const Case& c) {
       "model less measured, over the standard error<th>extended</tr>\n";
   const auto& without = base(c).simulated;
   const auto& with = extended(c).simulated;
+  const Where& where = c.diagnosed.diagnosis.where;
   for (std::size_t k = 0; k < c.diagnosed.fitted.size(); ++k) {
     const Measured& m = c.diagnosed.fitted[k];
     const double error = std::sqrt(variance_of(m));
     const double a = (without[k] - m.mean()) / error, b = (with[k] - m.mean()) / error;
     out += fmt::format("<tr{}><td>{}<td class=n>{:.5g}<td class=n>{:.2g}<td class=n>{:.5g}<td class=n>{:.5g}"
                        "<td>{}{:+.1f}<td>{}{:+.1f}</tr>\n",
-                       k == c.diagnosed.diagnosis.where ? " class=no" : "", xml_escaped(m.name),
+                       k >= where.onset && k <= where.end ? " class=no" : "", xml_escaped(m.name),
                        shown(m, m.mean()), m.logarithmic ? error * shown(m, m.mean()) : error,
                        shown(m, without[k]), shown(m, with[k]), bar(a / 10.0, "#d55e00"), a,
                        bar(b / 10.0, "#0072b2"), b);
@@ -300,8 +302,9 @@ std::string page(const Case& c) {
   out +=
       fmt::format("<h2>Measured and simulated</h2>\n<p>By chance alone, so great a misfit of the base model "
                   "comes with p = {:.3g}, and so much evidence for a cause with p = {:.3g}. The observable "
-                  "that the others predict worst is marked ({:+.1f} standard errors).</p>\n",
-                  d.alarm.omnibus, d.alarm.directed, d.where_residual);
+                  "that all others predict worst is marked, with the stretch of its curve ({:+.1f} standard "
+                  "errors).</p>\n",
+                  d.alarm.omnibus, d.alarm.directed, d.where.residuals[d.where.observable]);
   out += observables_table(c);
   out += "<h2>Evidence</h2>\n" + evidence_table(c);
   out += "<h2>Held out</h2>\n" + held_out_table(c);

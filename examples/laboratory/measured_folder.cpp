@@ -139,6 +139,14 @@ void read_data(const std::filesystem::path& file, PlannedExperiment& e) {
   }
 }
 
+/// Of an observable that is a piece of a curve, like loading_3: loading; empty for others.
+std::string curve_of(const std::string& observable) {
+  const std::size_t line = observable.rfind('_');
+  const bool numbered = line != std::string::npos && line + 1 < observable.size() &&
+                        observable.find_first_not_of("0123456789", line + 1) == std::string::npos;
+  return numbered ? observable.substr(0, line) : "";
+}
+
 /// Each curve is a replicate, reduced as those of the simulations are. What some of them do not show is left
 /// out.
 void read_curves(const std::vector<std::string>& files, const std::filesystem::path& folder,
@@ -234,6 +242,7 @@ void read_experiment(const Source& source, const std::string& name, const toml::
   }
   for (Measured& m : e.measured) {
     m.specimens = e.name;
+    m.curve = curve_of(m.name);
     try {
       m.check();
     } catch (const Error& error) {

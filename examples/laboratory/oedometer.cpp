@@ -1,6 +1,7 @@
 #include "laboratory/experiment.hpp"
 #include "support/recipe_options.hpp"
 
+#include "scree/compare/stiffness.hpp"
 #include "scree/io/csv.hpp"
 #include "scree/laboratory/oedometer.hpp"
 #include "scree/laboratory/oedometer_branches.hpp"
@@ -8,7 +9,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
 #include <limits>
+#include <span>
 
 namespace scree::examples {
 
@@ -25,7 +30,46 @@ void write_curve(const std::filesystem::path& folder, const OedometerResult& r, 
   }
 }
 
-/// In the order of the observables; not a number where there is no unloading.
+/// The branches that a curve is looked at in, by name.
+constexpr std::array branches{"loading", "unloading", "reloading"};
+/// Stresses between which a branch is cut into pieces, over the highest; ours.
+constexpr double lowest_level = 0.1, highest_level = 0.98;
+
+/// Strains of each piece of the first loading, the first unloading and the second loading; not a number for
+/// a branch that there is not. \param pieces of each branch, between stresses that grow by the same factor
+std::vector<double> strains_of_pieces(std::span<const OedometerPoint> rows, std::size_t pieces, double height,
+                                      double highest_force) {
+  std::array<StressStrain, branches.size()> curve;
+  const OedometerPoint* turn = nullptr; // the last of the branch before
+  for (const OedometerPoint& p : rows) {
+    const std::size_t branch = p.cycle == 0 ? (p.loading ? 0 : 1) : 2;
+    if (p.cycle > 1 || (p.cycle == 1 && !p.loading)) {
+      break;
+    }
+    if (turn != nullptr && curve[branch].stress.empty()) {
+      curve[branch].stress.push_back(turn->lid_force / highest_force);
+      curve[branch].strain.push_back(turn->displacement / height);
+    }
+    curve[branch].stress.push_back(p.lid_force / highest_force);
+    curve[branch].strain.push_back(p.displacement / height);
+    turn = &p;
+  }
+  std::vector<double> out;
+  for (const StressStrain& branch : curve) {
+    for (std::size_t k = 0; k < pieces; ++k) {
+      const auto level = [&](std::size_t n) {
+        return lowest_level *
+               std::pow(highest_level / lowest_level, static_cast<double>(n) / static_cast<double>(pieces));
+      };
+      out.push_back(branch.stress.empty() ? std::numeric_limits<double>::quiet_NaN()
+                                          : strain_at(branch, level(k + 1)) - strain_at(branch, level(k)));
+    }
+  }
+  return out;
+}
+
+/// In the order of the observables, without the pieces of the curve; not a number where there is no
+/// unloading.
 std::vector<double> observables_of(const std::vector<OedometerCycle>& cycles, double height) {
   const auto full =
       std::find_if(cycles.rbegin(), cycles.rend(), [](const OedometerCycle& c) { return c.unloaded; });
@@ -73,11 +117,19 @@ public:
     options.add(
         "specimen.height", measured_height_, {0.0, 100.0, "m"},
         "of the specimen when it carried the low load first, for measured curves; 0: the container's");
+    options.add("load.pieces", pieces_, {0.0, 20.0},
+                "of first loading, unloading and reloading, whose strains are observables too; 0: none");
     bind_fill(options, setup_.fill);
   }
   std::vector<Observable> observables() const override {
-    return {{"modulus_Pa"}, {"first_modulus_Pa"},    {"unloading_modulus_Pa"},
-            {"settlement"}, {"hysteresis_J", false}, {"base_share"}};
+    std::vector<Observable> out{{"modulus_Pa"}, {"first_modulus_Pa"},    {"unloading_modulus_Pa"},
+                                {"settlement"}, {"hysteresis_J", false}, {"base_share"}};
+    for (const char* branch : branches) {
+      for (std::size_t k = 1; k <= pieces_; ++k) {
+        out.push_back({message(branch, "_", k)});
+      }
+    }
+    return out;
   }
   CurveFile curve() const override {
     return {"oedometer.csv", "displacement_m", "lid_force_N", "Load on the lid", "displacement, m", "N"};
@@ -90,7 +142,7 @@ public:
       if (!folder.empty()) {
         write_curve(folder, r, setup_.container.area());
       }
-      return observables_of(r.cycles, r.height);
+      return all_observables_of(r.cycles, r.curve, r.height);
     });
   }
   std::vector<double> reduce(const CsvTable& curve) const override {
@@ -122,7 +174,7 @@ public:
     for (std::size_t c = 0; c <= rows.back().cycle; ++c) {
       cycles.push_back(oedometer_cycle(rows, c, window));
     }
-    return observables_of(cycles, window.height);
+    return all_observables_of(cycles, rows, window.height);
   }
   void show(Workbench& bench) const override {
     Oedometer<> oedometer{detail::prepared(setup_, detail::conditions_of(bench)),
@@ -132,7 +184,7 @@ public:
     write_curve(bench.folder(), r, setup_.container.area());
     auto& summary = bench.summary();
     summary["slope_N_m"] = r.slope;
-    const auto observed = observables_of(r.cycles, r.height);
+    const auto observed = all_observables_of(r.cycles, r.curve, r.height);
     const auto names = observables();
     for (std::size_t k = 0; k < names.size(); ++k) {
       summary[names[k].name] = observed[k];
@@ -183,8 +235,21 @@ public:
   }
 
 private:
+  [[nodiscard]] std::vector<double> all_observables_of(const std::vector<OedometerCycle>& cycles,
+                                                       std::span<const OedometerPoint> rows,
+                                                       double height) const {
+    std::vector<double> out = observables_of(cycles, height);
+    if (pieces_ > 0) {
+      const auto strains =
+          strains_of_pieces(rows, pieces_, height, setup_.high_stress * setup_.container.area());
+      out.insert(out.end(), strains.begin(), strains.end());
+    }
+    return out;
+  }
+
   OedometerSetup setup_;
   double measured_height_ = 0.0;
+  std::uint64_t pieces_ = 0;
 };
 
 } // namespace

@@ -1,6 +1,6 @@
 /// \brief How far a linear contact law is from sand in an oedometer: stress-dependent stiffness, and loading against reloading.
 
-#include "sand_oedometer/sand_data.hpp"
+#include "laboratory/sand_data.hpp"
 
 #include "scree/compare/stiffness.hpp"
 #include "scree/io/csv.hpp"

@@ -79,6 +79,10 @@ TEST_CASE("hidden-effects: what is none of the causes is called unexplained, and
   CHECK(d.finding == Finding::unexplained);
   CHECK(d.named.empty());
   CHECK(d.alarm.p < 0.02);
+  // Left out, the density of the rock itself is said wrong by the container as much as the other way round.
+  CHECK(std::string{toy::observables[d.where.observable].name}.find("density") != std::string::npos);
+  CHECK(d.where.onset == d.where.observable);
+  CHECK(d.where.end == d.where.observable);
 }
 
 TEST_CASE("data that show little are called insufficient, not faultless") {

@@ -1,4 +1,4 @@
-#include "sand_oedometer/sand_data.hpp"
+#include "laboratory/sand_data.hpp"
 #include "support/environment.hpp"
 #include "support/scratch_folder.hpp"
 

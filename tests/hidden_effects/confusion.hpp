@@ -4,8 +4,7 @@
 
 #include "hidden_effects/score.hpp"
 
-#include "scree/io/csv.hpp"
-
+#include <algorithm>
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
@@ -14,6 +13,54 @@
 #include <vector>
 
 namespace hidden {
+
+/// "a and b".
+inline std::string joined(const std::vector<std::string>& names) {
+  std::string out;
+  for (const std::string& name : names) {
+    out += (out.empty() ? "" : " and ") + name;
+  }
+  return out;
+}
+
+/// One row for each data set: what was hidden and what was found.
+inline void write_trials(const std::vector<Trial>& trials, const std::filesystem::path& file) {
+  std::ofstream out{file};
+  out << "seed,hidden,value,low,high,verdict,named,p,adequacy,held_out_before,held_out_after,held_out_p,"
+         "expected_right\n";
+  for (const Trial& t : trials) {
+    const Verdict verdict = honest(t);
+    const scree::Diagnosis& d = t.diagnosed.diagnosis;
+    std::string named, hidden = t.kind == Kind::outside ? t.set.misread : joined(t.truth.effects);
+    for (const auto& causes : verdict.named) {
+      named += (named.empty() ? "" : "; ") + joined(causes);
+    }
+    std::replace(hidden.begin(), hidden.end(), ',', ';');
+    out << t.set.seed << ',' << hidden << ',';
+    if (t.kind == Kind::one) {
+      const auto& found = t.hypothesis().parameters.at(0);
+      out << t.truth.values[0] << ',' << found.low << ',' << found.high;
+    } else {
+      out << ",,";
+    }
+    out << ',' << scree::name_of(verdict.finding) << ',' << named << ',' << d.alarm.p << ','
+        << d.ranking.front().adequacy << ',';
+    if (d.held_out) {
+      out << d.held_out->before << ',' << d.held_out->after << ',' << d.held_out->p;
+    } else {
+      out << ",,";
+    }
+    out << ',';
+    if (t.kind == Kind::one) {
+      out << t.expected[t.cause()];
+    }
+    out << '\n';
+  }
+  out.close();
+  if (!out) {
+    throw scree::Error(scree::message(file.string(), ": cannot be written"));
+  }
+}
 
 /// One row for each truth and answer: how often, of how many, and how often it was expected.
 /// Answers are causes, "several" that include the truth or do not, "unexplained" and "nothing".
@@ -24,16 +71,13 @@ inline void write_confusion(const std::vector<Trial>& trials, const std::filesys
   std::map<std::string, std::map<std::string, Cell>> cells;
   std::map<std::string, double> sets;
   for (const Trial& t : trials) {
-    std::string truth = t.kind == Kind::nothing ? "nothing" : t.kind == Kind::outside ? "no cause" : "";
-    for (const std::string& effect : t.truth.effects) {
-      truth += (truth.empty() ? "" : " and ") + effect;
-    }
+    const std::string truth = t.kind == Kind::nothing   ? "nothing"
+                              : t.kind == Kind::outside ? "no cause"
+                                                        : joined(t.truth.effects);
     const Verdict verdict = honest(t);
     std::string answer;
     if (verdict.single()) {
-      for (const std::string& name : verdict.named.front()) {
-        answer += (answer.empty() ? "" : " and ") + name;
-      }
+      answer = joined(verdict.named.front());
     } else if (verdict.finding == scree::Finding::indistinguishable) {
       bool there = false;
       for (const auto& causes : verdict.named) {

@@ -42,7 +42,7 @@ inline std::vector<make_measured::Order> faults(scree::Random& size) {
           misread(2.5, 3.5, {"tilt_test.angle_deg", "tilt_test.failure_angle_deg"}),
           misread(0.75, 0.85, {"drop_fast.restitution", "drop_fast.energy_restitution"}),
           misread(1.25, 1.35, {"drop_slowly.restitution", "drop_slowly.energy_restitution"}),
-          misread(0.55, 0.65, {"oedometer.base_share"})};
+          misread(0.7, 0.76, {"tamped.bulk_density_kg_m3"})};
 }
 
 enum class Kind { nothing, one, two, outside };

@@ -18,7 +18,8 @@ void judge_all(std::uint64_t seed, std::size_t times, const std::string& name) {
   const std::vector<Trial> all = trials(data_sets(seed, times));
   const std::filesystem::path folder = std::filesystem::current_path() / "hidden_effects";
   std::filesystem::create_directories(folder);
-  write_confusion(all, folder / (name + ".csv"));
+  write_confusion(all, folder / (name + "_confusion.csv"));
+  write_trials(all, folder / (name + "_trials.csv"));
 
   const auto scores = score(all, honest);
   std::printf("%s\n", text_of(scores).c_str());
@@ -45,9 +46,9 @@ void judge_all(std::uint64_t seed, std::size_t times, const std::string& name) {
 
 TEST_CASE("hidden-effects: what was hidden in simulated experiments is found, and broken diagnoses are not "
           "let through") {
-  judge_all(1, 1, "confusion");
+  judge_all(1, 1, "ci");
 }
 
 TEST_CASE("long: ten times as much that was hidden") {
-  judge_all(2, 10, "confusion_nightly");
+  judge_all(2, 10, "nightly");
 }

@@ -50,6 +50,7 @@ struct Truth {
 
 struct Trial {
   Kind kind;
+  make_measured::Order set;
   Truth truth;
   diagnose::Diagnosed diagnosed;
   /// Of one effect: how often the diagnosis expects to take such data for each cause, and for nothing (last).
@@ -110,7 +111,7 @@ inline Trial trial(const DataSet& set, const std::filesystem::path& runs, unsign
   diagnose::Request request{.measured = (folder / "measured").string(), .runs = 160, .first_runs = 160};
   request.setup.draws = 200;
   diagnose::Diagnosed diagnosed = diagnose::Diagnosing{request, scree::Campaign{runs, workers}, false}();
-  Trial out{set.kind, read_truth(folder / "truth.json"), std::move(diagnosed), {}};
+  Trial out{set.kind, set.order, read_truth(folder / "truth.json"), std::move(diagnosed), {}};
   if (set.kind == Kind::one) {
     out.expected = out.diagnosed.diagnostician->taken_for(out.cause(), out.truth.values.at(0));
   }

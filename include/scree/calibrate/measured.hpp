@@ -22,6 +22,8 @@ struct Measured {
   /// Observables that name the same specimens were measured on these together and scatter together; those
   /// that name others scatter by themselves.
   std::string specimens{};
+  /// Curve that this is a point of, next to those points before and after it; empty: none.
+  std::string curve{};
 
   /// \throws Error for no replicates, one without an error, or a value that cannot be compared.
   void check() const {

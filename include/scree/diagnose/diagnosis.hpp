@@ -8,6 +8,7 @@
 #include "scree/diagnose/cause.hpp"
 #include "scree/diagnose/held_out.hpp"
 #include "scree/diagnose/hypothesis.hpp"
+#include "scree/diagnose/where.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +33,7 @@ inline std::string name_of(Finding finding) {
 
 /// Where judgement draws its lines. All numbers are ours.
 struct DiagnosisSetup {
-  double false_alarms = 0.05;      ///< share of faultless simulations that are doubted, in (0, 0.5)
+  double false_alarms = 0.03;      ///< share of faultless simulations that are doubted, in (0, 0.5)
   double least_adequacy = 0.02;    ///< probability by chance, below which a hypothesis does not suffice
   double clear_odds = 10.0;        ///< of the best hypothesis over the next, for one to be named alone
   double kept_odds = 30.0;         ///< within which hypotheses remain in what is returned
@@ -80,8 +81,7 @@ struct Diagnosis {
   double base_adequacy = 1.0;
   /// Measured less what the base model gives, over the standard error of that, fitted to all.
   std::vector<double> residuals;
-  std::size_t where = 0;       ///< observable that the base model, fitted to the others, predicts worst
-  double where_residual = 0.0; ///< of it, over its standard error
+  Where where; ///< the base model goes wrong
   std::optional<HeldOutGain> held_out{};
   /// For each cause at half its range, and for no cause last: how often it is taken for each of the causes,
   /// or for none (last).
@@ -245,22 +245,7 @@ private:
     const Posterior posterior{measured_, response_, Prior::even(space_.size()), base};
     const Eigen::VectorXd all = posterior.standardised_residuals();
     out.residuals.assign(all.begin(), all.end());
-    // Fitted without one observable, what is it predicted as? By the same straightened model.
-    const LocalModel& local = hypotheses_[0].points()[0].local;
-    const Readings& seen = noise_.readings();
-    for (Eigen::Index k = 0; k < seen.mean.size(); ++k) {
-      Readings without = seen;
-      without.variance[k] *= 1e12;
-      const LocalFit fit = fitted(noise_, without, local, court_.base);
-      const Eigen::RowVectorXd slopes = local.slopes.row(k);
-      const double left = seen.mean[k] - local.mean[k] - slopes.dot(fit.base - local.base);
-      const double variance =
-          seen.variance[k] + local.variance[k] + slopes.dot(fit.precision.llt().solve(slopes.transpose()));
-      if (std::abs(left) > std::abs(out.where_residual) * std::sqrt(variance)) {
-        out.where_residual = left / std::sqrt(variance);
-        out.where = static_cast<std::size_t>(k);
-      }
-    }
+    out.where = where_wrong(noise_, measured_, hypotheses_[0].points()[0].local, court_.base);
   }
 
   /// The base model and the single causes.

@@ -1,4 +1,4 @@
-#include "sand_oedometer/sand_data.hpp"
+#include "laboratory/sand_data.hpp"
 
 #include "scree/core/error.hpp"
 #include "scree/io/number_text.hpp"
