@@ -48,7 +48,8 @@ Diagnosing::Diagnosing(const Request& request, const Campaign& campaign, bool sh
     : request_{request},
       plan_{read(request.measured)},
       space_{plan_.space, catalogue(plan_, request.causes)},
-      trials_{plan_, campaign, request.limit, request.runs * plan_.experiments.size(), show_progress} {
+      trials_{plan_,         campaign,           request.limit, request.runs * plan_.experiments.size(),
+              show_progress, request.step_safety} {
   plan_.space = space_.parameters();
 }
 

@@ -60,6 +60,7 @@ void bind(ex::Options& options, Wish& w) {
   options.add("confidence", w.request.setup.confidence, {0.5, 0.999}, "of the intervals");
   options.add("limit", w.request.limit, {1e-3, 1e6, "s"},
               "of simulated time, beyond which a run counts as failed");
+  options.add("step_safety", w.request.step_safety, {0.01, 1.0}, "share of the critical time step");
   options.add("workers", w.workers, {0.0, 1024.0}, "runs side by side; 0: one for each processor");
 }
 

@@ -77,8 +77,7 @@ void measure(const Order& order, const std::filesystem::path& folder, const Camp
   for (const ex::Reading& reading : wanted.readings) {
     expected += reading.replicates;
   }
-  // A smaller time step than that of those who will diagnose.
-  ex::Trials trials{plan, campaign, order.limit, expected, show_progress, 0.6};
+  ex::Trials trials{plan, campaign, order.limit, expected, show_progress, order.step_safety};
   ex::write_measurements(measured, plan, trials, parameters, wanted.readings, order.seed);
   trials.close();
   ex::write_json(folder / "truth.json", truth);

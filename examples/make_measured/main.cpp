@@ -45,6 +45,8 @@ void bind(ex::Options& options, Wish& w) {
   options.add("reading_error", w.order.reading_error, {0.0, 1.0}, "relative, of a folder's experiments");
   options.add("seed", w.order.seed, {0.0, 9e15}, "of the rock, of specimens, readings and sizes of effects");
   options.add("limit", w.order.limit, {1e-3, 1e6, "s"}, "of simulated time of one run");
+  options.add("step_safety", w.order.step_safety, {0.01, 1.0},
+              "share of the critical time step; less than that of those who diagnose");
   options.add("workers", w.workers, {0.0, 1024.0}, "runs side by side; 0: one for each processor");
 }
 
