@@ -1,4 +1,5 @@
 /// \brief Oedometer tests on Karlsruhe fine sand as a folder of measurements that `diagnose` reads.
+/// \smoke --reference @PROJECT_SOURCE_DIR@/tests/examples/measured/sand --fitted 1,1,1,1 --held_out 1,1,1,1
 
 #include "laboratory/sand_data.hpp"
 #include "support/options.hpp"

@@ -26,8 +26,8 @@ struct Request {
   std::uint64_t fit_seed = 1;    ///< of the runs
   double limit = 300.0;          ///< s of simulated time, beyond which a run counts as failed
   /// Share of the critical time step: at 0.8 the restitution of a rock is 0.7 % below that at 0.3, which four
-  /// replicates do notice; at 0.5 it is a fraction of that.
-  double step_safety = 0.5;
+  /// replicates do notice; at 0.6 it is 0.2 %.
+  double step_safety = 0.6;
   scree::DiagnosisSetup setup{};
 };
 

@@ -20,7 +20,7 @@ struct Order {
   std::uint64_t replicates = 6;
   double reading_error = 5e-3; ///< relative, of a folder's experiments
   double limit = 300.0;        ///< s of simulated time of one run
-  double step_safety = 0.4;    ///< share of the critical time step; less than that of those who diagnose
+  double step_safety = 0.5;    ///< share of the critical time step; less than that of those who diagnose
 };
 
 /// Writes `folder`/measured with calibration.toml and tables, and apart from it `folder`/truth.json.

@@ -6,6 +6,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <string>
 
 using namespace scree;
@@ -126,6 +127,54 @@ standard_error = {modulus_Pa = 1e4, first_modulus_Pa = 1e4, unloading_modulus_Pa
   CHECK(measured.at(3).replicates.at(0) == doctest::Approx(range / 2e5 / 0.2).epsilon(1e-4));
   CHECK(measured.at(4).replicates.at(0) == doctest::Approx(0.5 * range * range / 4e5).epsilon(1e-3));
   CHECK(measured.at(5).replicates.at(0) == doctest::Approx(0.7));
+}
+
+TEST_CASE("pieces of a measured curve are observables of one curve each") {
+  const test::ScratchFolder scratch;
+  write_atomically(scratch / "calibration.toml", R"([parameters.friction]
+least = 0.1
+most = 0.9
+[experiments.oedometer]
+container.radius = 0.15
+specimen.height = 0.2
+load.low_stress = 500.0
+load.high_stress = 1e4
+load.pieces = 2
+curves = ["1.csv", "2.csv"]
+use = ["loading_1", "loading_2", "unloading_1", "reloading_2"]
+)");
+  const double area = 3.141592653589793 * 0.15 * 0.15, high = 1e4 * area;
+  for (const char* name : {"1.csv", "2.csv"}) {
+    std::string curve = "displacement_m,lid_force_N\n";
+    double displacement = 0.0, force = 0.0;
+    const auto to = [&](double end, double stiffness) { // in so few rows that the turn is one of them
+      for (int k = 0; k < 20; ++k) {
+        const double step = (end - force) / (20 - k);
+        force += step;
+        displacement += step / stiffness;
+        curve += message(displacement, ",", force, "\n");
+      }
+    };
+    to(0.06 * high, 2e5);
+    to(high, 2e5);
+    to(0.03 * high, 4e5);
+    to(high, 3e5);
+    write_atomically(scratch / name, curve);
+  }
+  const auto plan = read_plan(scratch.path());
+  const auto& measured = plan.experiments.at(0).measured;
+  REQUIRE(measured.size() == 4);
+  const double middle = std::sqrt(0.1 * 0.98);
+  const auto strain = [&](double from, double end, double stiffness) {
+    return (end - from) * high / stiffness / 0.2;
+  };
+  CHECK(measured[0].replicates[1] == doctest::Approx(strain(0.1, middle, 2e5)).epsilon(1e-6));
+  CHECK(measured[1].replicates[0] == doctest::Approx(strain(middle, 0.98, 2e5)).epsilon(1e-6));
+  CHECK(measured[2].replicates[0] == doctest::Approx(strain(0.1, middle, 4e5)).epsilon(1e-6));
+  CHECK(measured[3].replicates[0] == doctest::Approx(strain(middle, 0.98, 3e5)).epsilon(1e-6));
+  CHECK(measured[0].curve == "oedometer.loading");
+  CHECK(measured[1].curve == measured[0].curve);
+  CHECK(measured[2].curve == "oedometer.unloading");
 }
 
 TEST_CASE("a fault in a folder of measurements is told by file and line") {

@@ -108,7 +108,7 @@ inline Truth read_truth(const std::filesystem::path& file) {
 inline Trial trial(const DataSet& set, const std::filesystem::path& runs, unsigned workers) {
   const scree::test::ScratchFolder folder;
   make_measured::measure(set.order, folder.path(), scree::Campaign{{}, workers}, false);
-  diagnose::Request request{.measured = (folder / "measured").string(), .runs = 160, .first_runs = 160};
+  diagnose::Request request{.measured = (folder / "measured").string(), .runs = 200, .first_runs = 200};
   request.setup.draws = 200;
   diagnose::Diagnosed diagnosed = diagnose::Diagnosing{request, scree::Campaign{runs, workers}, false}();
   Trial out{set.kind, set.order, read_truth(folder / "truth.json"), std::move(diagnosed), {}};

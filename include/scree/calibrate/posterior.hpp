@@ -124,15 +124,16 @@ private:
 };
 
 /// The most probable parameters, in shares, within the bounds: Gauss and Newton on the surfaces.
+/// \param tolerance of the last step
 inline Eigen::VectorXd most_probable(std::span<const Measured> measured, const ResponseSurface& response,
-                                     const Prior& prior, Eigen::VectorXd from) {
+                                     const Prior& prior, Eigen::VectorXd from, double tolerance = 1e-9) {
   for (int iteration = 0; iteration < 50; ++iteration) {
     const Eigen::VectorXd step =
         Posterior{measured, response, prior, from}.step().cwiseMax(-0.2).cwiseMin(0.2);
     const Eigen::VectorXd next = (from + step).cwiseMax(0.0).cwiseMin(1.0);
     const double moved = (next - from).cwiseAbs().maxCoeff();
     from = next;
-    if (moved < 1e-9) {
+    if (moved < tolerance) {
       break;
     }
   }

@@ -67,7 +67,8 @@ public:
         fixed.fix(free_[a], share);
         near[free_[a]] = share;
       }
-      point.local = local_at(most_probable(measured, response, fixed, near), response, space.base());
+      point.local =
+          local_at(most_probable(measured, response, fixed, near, near_enough), response, space.base());
       points_.push_back(std::move(point));
       std::size_t a = 0;
       while (a < free_.size() && ++at[a] == axes[a].size()) {
@@ -148,6 +149,9 @@ private:
     Eigen::VectorXd at, width;
   };
 
+  /// Of shares: where a model is straightened need not be its best point, but only near.
+  static constexpr double near_enough = 1e-3;
+
   /// The most probable of all free parameters, from several starts.
   [[nodiscard]] Suitable most_suitable(std::span<const Measured> measured, const ResponseSurface& response,
                                        const Prior& prior, const Eigen::VectorXd& from) const {
@@ -158,7 +162,7 @@ private:
     Suitable out;
     double least = HUGE_VAL;
     const auto attempt = [&](const Eigen::VectorXd& start) {
-      const Eigen::VectorXd at = most_probable(measured, response, prior, start);
+      const Eigen::VectorXd at = most_probable(measured, response, prior, start, near_enough);
       const Posterior posterior{measured, response, prior, at};
       const double misfit = posterior.misfit();
       if (misfit < least) {
