@@ -60,7 +60,7 @@ std::array<double, 3> dragged(std::uint64_t seed) {
 
 } // namespace
 
-TEST_CASE("physics: a drag in float gives the force, pitch and depth that it gives in double") {
+TEST_CASE("long: a drag in float gives the force, pitch and depth that it gives in double") {
   // Grains that push past each other soon differ by all they can, whatever the number type: another type is
   // another seed, and only means can be compared.
   std::array<std::vector<double>, 3> exact, coarse;

@@ -202,7 +202,7 @@ TEST_CASE("physics: an oedometer has the slope in float that it has in double") 
   }
 }
 
-TEST_CASE("physics: heaps in float are as steep as in double") {
+TEST_CASE("long: heaps in float are as steep as in double") {
   std::vector<double> angles;
   double most = 0.0;
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {

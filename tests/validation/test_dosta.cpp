@@ -28,7 +28,7 @@ TEST_CASE("the benchmark's files: one that is not there is named") {
                        "nowhere/bed.txt.gz: cannot be opened for reading", scree::Error);
 }
 
-TEST_CASE("physics: a silo runs out: Dosta et al. 1") {
+TEST_CASE("long: a silo runs out: Dosta et al. 1") {
   if (reference_file("dosta2024/timings.json")) {
     check_case("dosta_silo");
   }

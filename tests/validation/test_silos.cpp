@@ -2,7 +2,7 @@
 
 using scree::test::check_case;
 
-TEST_CASE("physics: the wall of a filled tube carries weight, Janssen") {
+TEST_CASE("long: the wall of a filled tube carries weight, Janssen") {
   check_case("janssen");
 }
 
