@@ -143,6 +143,7 @@ private:
     for (Eigen::Index k = 0; k < observed.cols(); ++k) {
       const Eigen::Index observable = observables[static_cast<std::size_t>(k)];
       std::vector<Kriging> surfaces;
+      surfaces.reserve(group.size());
       for (const Shared& shared : group) {
         surfaces.emplace_back(shared.frame, observed.col(k));
       }

@@ -119,6 +119,8 @@ public:
 
   Diagnostician(const Diagnostician&) = delete;
   Diagnostician& operator=(const Diagnostician&) = delete;
+  Diagnostician(Diagnostician&&) = delete;
+  Diagnostician& operator=(Diagnostician&&) = delete;
   ~Diagnostician() = default;
 
   /// Where more runs would tell most: at the best points of the most likely hypotheses, as shares of the
