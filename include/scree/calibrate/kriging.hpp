@@ -2,6 +2,8 @@
 /// \file
 /// A smooth surface through noisy numbers.
 
+#include "scree/calibrate/effects_kernel.hpp"
+
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -16,16 +18,15 @@ namespace scree {
 class KrigingFrame {
 public:
   /// \param at a row for each run, a column for each coordinate; they do not lie on a plane
-  /// \param length over which the process wanders, in the unit of the coordinates, above 0
-  /// \param ratio standard deviation of the process over that of the noise, 0 or above
-  KrigingFrame(Eigen::MatrixXd at, double length, double ratio)
-      : at_{std::move(at)}, length_{length}, ratio2_{ratio * ratio} {
-    const Eigen::Index n = at_.rows(), terms = at_.cols() + 1;
+  /// \param null of coordinates that are effects, the last ones
+  KrigingFrame(const Eigen::MatrixXd& at, EffectsKernel::Shape shape, const Eigen::VectorXd& null)
+      : process_{shape, null, at} {
+    const Eigen::Index n = at.rows(), terms = at.cols() + 1;
     plane_.resize(n, terms);
-    plane_ << Eigen::VectorXd::Ones(n), at_;
+    plane_ << Eigen::VectorXd::Ones(n), at;
     Eigen::MatrixXd covariance = Eigen::MatrixXd::Identity(n, n);
     for (Eigen::Index i = 0; i < n; ++i) {
-      covariance.col(i) += process(at_.row(i).transpose());
+      covariance.col(i) += process_.covariance(at.row(i).transpose());
     }
     const Eigen::LLT<Eigen::MatrixXd> factor{covariance};
     inverse_ = factor.solve(Eigen::MatrixXd::Identity(n, n));
@@ -47,9 +48,10 @@ public:
   struct Place {
     Eigen::VectorXd basis;  ///< of the plane
     Eigen::VectorXd shared; ///< covariance with each run, over the variance of the noise
+    double alone;           ///< variance of the process there, over that of the noise
   };
   [[nodiscard]] Place place(const Eigen::VectorXd& there) const {
-    Place out{Eigen::VectorXd(there.size() + 1), process(there)};
+    Place out{Eigen::VectorXd(there.size() + 1), process_.covariance(there), process_.variance(there)};
     out.basis << 1.0, there;
     return out;
   }
@@ -57,20 +59,16 @@ public:
   [[nodiscard]] double variance(const Place& place) const {
     const Eigen::VectorXd weights = inverse_ * place.shared;
     const Eigen::VectorXd rest = place.basis - plane_.transpose() * weights;
-    return std::max(0.0, ratio2_ - place.shared.dot(weights) + rest.dot(of_plane_ * rest));
+    return std::max(0.0, place.alone - place.shared.dot(weights) + rest.dot(of_plane_ * rest));
   }
+
+  /// Runs by coordinates: change of what the place shares with each run.
+  [[nodiscard]] Eigen::MatrixXd slopes(const Eigen::VectorXd& there) const { return process_.slopes(there); }
 
 private:
   friend class Kriging;
 
-  /// Covariance of the process with that at one place, over the variance of the noise.
-  [[nodiscard]] Eigen::VectorXd process(const Eigen::VectorXd& there) const {
-    const Eigen::VectorXd distance2 = (at_.rowwise() - there.transpose()).rowwise().squaredNorm();
-    return (ratio2_ * (distance2 * (-0.5 / (length_ * length_))).array().exp()).matrix();
-  }
-
-  Eigen::MatrixXd at_;
-  double length_, ratio2_;
+  EffectsKernel process_;
   Eigen::MatrixXd plane_, inverse_, of_plane_, to_trend_, without_plane_;
   double log_determinants_ = 0.0;
 };
@@ -94,11 +92,9 @@ public:
     return place.basis.dot(trend_) + place.shared.dot(left_);
   }
 
-  /// Of the mean, along each coordinate. \param there the place
-  [[nodiscard]] Eigen::VectorXd slope(const KrigingFrame& frame, const KrigingFrame::Place& place,
-                                      const Eigen::VectorXd& there) const {
-    const Eigen::VectorXd pull = place.shared.cwiseProduct(left_) / (frame.length_ * frame.length_);
-    return trend_.tail(there.size()) + frame.at_.transpose() * pull - pull.sum() * there;
+  /// Of the mean, along each coordinate. \param shared `KrigingFrame::slopes` of the place
+  [[nodiscard]] Eigen::VectorXd slope(const Eigen::MatrixXd& shared) const {
+    return trend_.tail(shared.cols()) + shared.transpose() * left_;
   }
 
   /// Of each run from what all others say of it, in units of its standard deviation.

@@ -8,7 +8,6 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
@@ -31,8 +30,9 @@ struct Run {
 class ResponseSurface {
 public:
   /// \param runs for each observable, at least three more that show it than there are parameters
+  /// \param null shares of those of the parameters, the last ones, whose effect is nothing there
   /// \throws Error for too few runs.
-  explicit ResponseSurface(const std::vector<Run>& runs) {
+  explicit ResponseSurface(const std::vector<Run>& runs, Eigen::VectorXd null = {}) : null_{std::move(null)} {
     const Eigen::Index parameters = runs.empty() ? 0 : runs.front().at.size();
     const Eigen::Index m = runs.empty() ? 0 : runs.front().observed.size();
     const auto n = static_cast<Eigen::Index>(runs.size());
@@ -99,9 +99,9 @@ public:
   [[nodiscard]] Eigen::MatrixXd slopes(const Eigen::VectorXd& at) const {
     Eigen::MatrixXd out = Eigen::MatrixXd::Zero(noise_.size(), at.size());
     for (const Shared& shared : shared_) {
-      const KrigingFrame::Place place = shared.frame.place(at);
+      const Eigen::MatrixXd slopes = shared.frame.slopes(at);
       for (const Surface& s : shared.surfaces) {
-        out.row(s.observable) += s.weight * s.surface.slope(shared.frame, place, at).transpose();
+        out.row(s.observable) += s.weight * s.surface.slope(slopes).transpose();
       }
     }
     return out;
@@ -126,18 +126,35 @@ private:
     }
   }
 
+  /// What processes may look like: a plane, and all in even steps.
+  [[nodiscard]] std::vector<EffectsKernel::Shape> shapes() const {
+    using Steps = std::vector<double>;
+    const bool effects = null_.size() > 0;
+    // What is left to the first coordinates bends less where effects have terms of their own.
+    const Steps lengths = effects ? Steps{0.4, 1.0, 2.5} : Steps{0.4, 0.8, 1.6};
+    const Steps effect_lengths = effects ? Steps{0.3, 0.8} : Steps{1.0};
+    const Steps strengths = effects ? Steps{0.5, 1.0, 2.0} : Steps{0.0};
+    std::vector<EffectsKernel::Shape> out{{.length = 1.0, .ratio = 0.0}};
+    for (const double length : lengths) {
+      for (const double ratio : {0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 64.0, 256.0}) {
+        for (const double effect_length : effect_lengths) {
+          for (const double strength : strengths) {
+            out.push_back({length, ratio, effect_length, strength});
+          }
+        }
+      }
+    }
+    return out;
+  }
+
   /// Takes the surfaces that the runs speak for.
   /// \param observed a column for each of `observables`
   /// \return what the likeliest surface of each leaves out
   Eigen::MatrixXd add_group(const Eigen::MatrixXd& at, const Eigen::MatrixXd& observed,
                             const std::vector<Eigen::Index>& observables) {
-    static constexpr std::array lengths{0.4, 0.8, 1.6};
-    static constexpr std::array ratios{0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 64.0, 256.0};
-    std::vector<Shared> group{{KrigingFrame{at, 1.0, 0.0}}}; // a plane
-    for (const double length : lengths) {
-      for (const double ratio : ratios) {
-        group.push_back({KrigingFrame{at, length, ratio}});
-      }
+    std::vector<Shared> group;
+    for (const EffectsKernel::Shape& shape : shapes()) {
+      group.push_back({KrigingFrame{at, shape, null_}});
     }
     Eigen::MatrixXd left_out(observed.rows(), observed.cols());
     for (Eigen::Index k = 0; k < observed.cols(); ++k) {
@@ -175,6 +192,7 @@ private:
     return left_out;
   }
 
+  Eigen::VectorXd null_; // of effects
   std::vector<Shared> shared_;
   Eigen::VectorXd noise_;
   Eigen::MatrixXd correlation_;
