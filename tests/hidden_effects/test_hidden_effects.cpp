@@ -44,7 +44,7 @@ void judge_all(std::uint64_t seed, std::size_t times, const std::string& name) {
 
 } // namespace
 
-// A quarter of an hour of one core; `long` until it is cheap enough for every change.
+// Over 20 minutes of one core; `long` until it is cheap enough for every change.
 TEST_CASE(
     "long: what was hidden in simulated experiments is found, and broken diagnoses are not let through") {
   judge_all(1, 1, "once");

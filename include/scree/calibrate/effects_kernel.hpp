@@ -65,18 +65,11 @@ public:
     const double strength = shape_.strength / shape_.effect_length;
     for (std::size_t c = 0; c < effects_.size(); ++c) {
       auto column = out.col(first_.cols() + static_cast<Eigen::Index>(c));
-      const double u = from_null(there, c);
-      if (u == 0.0) {
-        for (const auto& [row, v, bell_v] : effects_[c].active) {
-          column[row] = strength * strength * v * bell_v * all[row];
-        }
-      } else {
-        const Eigen::VectorXd others = without(c, there);
-        const double bell_u = bell(u);
-        for (const auto& [row, v, bell_v] : effects_[c].active) {
-          const double slope = (v - u) * bell(v - u) + u * bell_v * bell_u;
-          column[row] = strength * strength * slope * others[row];
-        }
+      const double u = from_null(there, c), bell_u = bell(u);
+      const Eigen::VectorXd others = u == 0.0 ? all : without(c, there);
+      for (const auto& [row, v, bell_v] : effects_[c].active) {
+        const double between = u == 0.0 ? bell_v : bell(v - u); // most effects are null, and known already
+        column[row] = strength * strength * ((v - u) * between + u * bell_v * bell_u) * others[row];
       }
     }
     return out;

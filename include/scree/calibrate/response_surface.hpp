@@ -32,7 +32,7 @@ public:
   /// \param runs for each observable, at least three more that show it than there are parameters
   /// \param null shares of those of the parameters, the last ones, whose effect is nothing there
   /// \throws Error for too few runs.
-  explicit ResponseSurface(const std::vector<Run>& runs, Eigen::VectorXd null = {}) : null_{std::move(null)} {
+  explicit ResponseSurface(const std::vector<Run>& runs, const Eigen::VectorXd& null = {}) {
     const Eigen::Index parameters = runs.empty() ? 0 : runs.front().at.size();
     const Eigen::Index m = runs.empty() ? 0 : runs.front().observed.size();
     const auto n = static_cast<Eigen::Index>(runs.size());
@@ -60,7 +60,7 @@ public:
         at.row(r) = run.at.transpose();
         observed.row(r) = run.observed(observables).transpose();
       }
-      left_out(shown, observables) = add_group(at, observed, observables);
+      left_out(shown, observables) = add_group(at, observed, observables, null);
     }
     const Eigen::VectorXd size = left_out.colwise().norm().cwiseMax(1e-300);
     correlation_ = (size.cwiseInverse().asDiagonal() * (left_out.transpose() * left_out) *
@@ -127,9 +127,8 @@ private:
   }
 
   /// What processes may look like: a plane, and all in even steps.
-  [[nodiscard]] std::vector<EffectsKernel::Shape> shapes() const {
+  static std::vector<EffectsKernel::Shape> shapes(bool effects) {
     using Steps = std::vector<double>;
-    const bool effects = null_.size() > 0;
     // What is left to the first coordinates bends less where effects have terms of their own.
     const Steps lengths = effects ? Steps{0.4, 1.0, 2.5} : Steps{0.4, 0.8, 1.6};
     const Steps effect_lengths = effects ? Steps{0.3, 0.8} : Steps{1.0};
@@ -149,12 +148,13 @@ private:
 
   /// Takes the surfaces that the runs speak for.
   /// \param observed a column for each of `observables`
+  /// \param null of the last parameters, that are effects
   /// \return what the likeliest surface of each leaves out
   Eigen::MatrixXd add_group(const Eigen::MatrixXd& at, const Eigen::MatrixXd& observed,
-                            const std::vector<Eigen::Index>& observables) {
+                            const std::vector<Eigen::Index>& observables, const Eigen::VectorXd& null) {
     std::vector<Shared> group;
-    for (const EffectsKernel::Shape& shape : shapes()) {
-      group.push_back({KrigingFrame{at, shape, null_}});
+    for (const EffectsKernel::Shape& shape : shapes(null.size() > 0)) {
+      group.push_back({KrigingFrame{at, shape, null}});
     }
     Eigen::MatrixXd left_out(observed.rows(), observed.cols());
     for (Eigen::Index k = 0; k < observed.cols(); ++k) {
@@ -192,7 +192,6 @@ private:
     return left_out;
   }
 
-  Eigen::VectorXd null_; // of effects
   std::vector<Shared> shared_;
   Eigen::VectorXd noise_;
   Eigen::MatrixXd correlation_;

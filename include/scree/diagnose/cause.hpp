@@ -88,7 +88,7 @@ public:
     return out;
   }
   /// Shares at which the parameters of the causes, the last of all, have no effect.
-  [[nodiscard]] Eigen::VectorXd effects() const { return null().tail(size() - base()); }
+  [[nodiscard]] Eigen::VectorXd null_of_causes() const { return null().tail(size() - base()); }
   /// In the parameters' units.
   [[nodiscard]] std::vector<double> values(const Eigen::VectorXd& shares) const {
     std::vector<double> out;

@@ -103,13 +103,13 @@ public:
       : space_{space},
         measured_{std::move(measured)},
         held_out_{std::move(held_out)},
-        response_{part_of(runs, 0, measured_.size()), space_.effects()},
+        response_{part_of(runs, 0, measured_.size()), space_.null_of_causes()},
         setup_{setup},
         noise_{measured_, response_},
         court_{noise_, Prior::even(space.base())} {
     setup_.check();
     if (!held_out_.empty()) {
-      held_out_response_.emplace(part_of(runs, measured_.size(), held_out_.size()), space_.effects());
+      held_out_response_.emplace(part_of(runs, measured_.size(), held_out_.size()), space_.null_of_causes());
     }
     add({}, Eigen::VectorXd::Constant(space_.base(), 0.5));
     for (std::size_t c = 0; c < space_.causes().size(); ++c) {
