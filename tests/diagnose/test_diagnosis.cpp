@@ -85,6 +85,18 @@ TEST_CASE("hidden-effects: what is none of the causes is called unexplained, and
   CHECK(d.where.end == d.where.observable);
 }
 
+TEST_CASE("hidden-effects: what explains the fitted data but predicts worse than the base model is refused") {
+  toy::Data data = toy::data({0.5, -1.0, -1.0, -1.0}, 20);
+  data.held_out = toy::data({}, 20).held_out; // of the same rock without the cause
+  const Diagnosis d = diagnosed(data);
+  CHECK(d.ranking.front().causes == std::vector<std::size_t>{0});
+  CHECK(d.finding == Finding::unexplained);
+  CHECK(d.named.empty());
+  REQUIRE(d.held_out);
+  CHECK(d.held_out->high < 0.0);
+  CHECK(d.reason.find("held out") != std::string::npos);
+}
+
 TEST_CASE("data that show little are called insufficient, not faultless") {
   toy::Data data = toy::data({}, 33);
   data.fitted.resize(2); // two densities, for three base parameters

@@ -26,8 +26,9 @@ inline std::string joined(const std::vector<std::string>& names) {
 /// One row for each data set: what was hidden and what was found.
 inline void write_trials(const std::vector<Trial>& trials, const std::filesystem::path& file) {
   std::ofstream out{file};
-  out << "seed,hidden,value,low,high,verdict,named,p,adequacy,held_out_before,held_out_after,held_out_p,"
-         "expected_right\n";
+  out << "seed,hidden,value,low,high,verdict,named,p,adequacy,held_out_before,held_out_after,gain_low,gain_"
+         "high,"
+         "held_out_p,expected_right\n";
   for (const Trial& t : trials) {
     const Verdict verdict = honest(t);
     const scree::Diagnosis& d = t.diagnosed.diagnosis;
@@ -46,9 +47,10 @@ inline void write_trials(const std::vector<Trial>& trials, const std::filesystem
     out << ',' << scree::name_of(verdict.finding) << ',' << named << ',' << d.alarm.p << ','
         << d.ranking.front().adequacy << ',';
     if (d.held_out) {
-      out << d.held_out->before << ',' << d.held_out->after << ',' << d.held_out->p;
+      out << d.held_out->before << ',' << d.held_out->after << ',' << d.held_out->low << ','
+          << d.held_out->high << ',' << d.held_out->p;
     } else {
-      out << ",,";
+      out << ",,,,";
     }
     out << ',';
     if (t.kind == Kind::one) {

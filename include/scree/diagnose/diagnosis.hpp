@@ -349,7 +349,7 @@ private:
         "any rival.";
   }
 
-  /// Predicts what was held out; a cause that fails there is none.
+  /// Predicts what was held out; a cause that fails there, or does worse than none, is none.
   void hold_out(Diagnosis& out, std::size_t best, Random& random) const {
     if (!held_out_response_) {
       return;
@@ -360,12 +360,15 @@ private:
                        *held_out_response_);
     };
     out.held_out = held_out_gain(noise, of(0), of(best), setup_.confidence, setup_.draws, random);
-    if (out.held_out->p < setup_.least_adequacy) {
+    const bool contradicted = out.held_out->p < setup_.least_adequacy, worse = out.held_out->high < 0.0;
+    if (contradicted || worse) {
       out.finding = Finding::unexplained;
       out.named.clear();
-      out.reason =
-          message("The best of the causes explains what was fitted, but fails on what was held out (p = ",
-                  out.held_out->p, ").");
+      out.reason = "The best of the causes explains what was fitted, but fails on what was held out: ";
+      out.reason += contradicted
+                        ? message("it leaves more there than chance does (p = ", out.held_out->p, ").")
+                        : message("the base model predicts that better (gain ", out.held_out->gain, ", ",
+                                  out.held_out->low, " to ", out.held_out->high, ").");
     }
   }
 
