@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -54,22 +55,18 @@ public:
   [[nodiscard]] Eigen::VectorXd covariance(const Eigen::VectorXd& there) const {
     return without(effects_.size(), there);
   }
-  /// Places by coordinates: change of the covariance along each coordinate of `there`.
-  [[nodiscard]] Eigen::MatrixXd slopes(const Eigen::VectorXd& there) const {
-    Eigen::MatrixXd out = Eigen::MatrixXd::Zero(first_.rows(), there.size());
+  /// Places by coordinates: change of the covariance along some of the coordinates of `there`.
+  [[nodiscard]] Eigen::MatrixXd slopes(const Eigen::VectorXd& there,
+                                       std::span<const Eigen::Index> along) const {
+    Eigen::MatrixXd out = Eigen::MatrixXd::Zero(first_.rows(), static_cast<Eigen::Index>(along.size()));
     const Eigen::VectorXd all = covariance(there);
-    for (Eigen::Index k = 0; k < first_.cols(); ++k) {
-      out.col(k) =
-          all.cwiseProduct((first_.col(k).array() - there[k]).matrix()) / (shape_.length * shape_.length);
-    }
-    const double strength = shape_.strength / shape_.effect_length;
-    for (std::size_t c = 0; c < effects_.size(); ++c) {
-      auto column = out.col(first_.cols() + static_cast<Eigen::Index>(c));
-      const double u = from_null(there, c), bell_u = bell(u);
-      const Eigen::VectorXd others = u == 0.0 ? all : without(c, there);
-      for (const auto& [row, v, bell_v] : effects_[c].active) {
-        const double between = u == 0.0 ? bell_v : bell(v - u); // most effects are null, and known already
-        column[row] = strength * strength * ((v - u) * between + u * bell_v * bell_u) * others[row];
+    for (std::size_t a = 0; a < along.size(); ++a) {
+      auto column = out.col(static_cast<Eigen::Index>(a));
+      if (const Eigen::Index k = along[a]; k < first_.cols()) {
+        column =
+            all.cwiseProduct((first_.col(k).array() - there[k]).matrix()) / (shape_.length * shape_.length);
+      } else {
+        add_slope(static_cast<std::size_t>(k - first_.cols()), there, all, column);
       }
     }
     return out;
@@ -96,6 +93,18 @@ private:
   /// By which an effect multiplies the covariance of two places, so far from its null value.
   [[nodiscard]] double factor(double u, double bell_u, double v, double bell_v) const {
     return 1.0 + shape_.strength * shape_.strength * (bell(v - u) - bell_v * bell_u);
+  }
+
+  /// Along one effect, into a column of zeros. \param all the covariance
+  void add_slope(std::size_t effect, const Eigen::VectorXd& there, const Eigen::VectorXd& all,
+                 Eigen::Ref<Eigen::VectorXd> column) const {
+    const double strength = shape_.strength / shape_.effect_length;
+    const double u = from_null(there, effect), bell_u = bell(u);
+    const Eigen::VectorXd others = u == 0.0 ? all : without(effect, there);
+    for (const auto& [row, v, bell_v] : effects_[effect].active) {
+      const double between = u == 0.0 ? bell_v : bell(v - u); // most effects are null, and known already
+      column[row] = strength * strength * ((v - u) * between + u * bell_v * bell_u) * others[row];
+    }
   }
 
   /// The covariance without the factor of one effect.

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <span>
 #include <utility>
 
 namespace scree {
@@ -62,8 +64,11 @@ public:
     return std::max(0.0, place.alone - place.shared.dot(weights) + rest.dot(of_plane_ * rest));
   }
 
-  /// Runs by coordinates: change of what the place shares with each run.
-  [[nodiscard]] Eigen::MatrixXd slopes(const Eigen::VectorXd& there) const { return process_.slopes(there); }
+  /// Runs by coordinates: change of what the place shares with each run, along some of the coordinates.
+  [[nodiscard]] Eigen::MatrixXd slopes(const Eigen::VectorXd& there,
+                                       std::span<const Eigen::Index> along) const {
+    return process_.slopes(there, along);
+  }
 
 private:
   friend class Kriging;
@@ -92,9 +97,14 @@ public:
     return place.basis.dot(trend_) + place.shared.dot(left_);
   }
 
-  /// Of the mean, along each coordinate. \param shared `KrigingFrame::slopes` of the place
-  [[nodiscard]] Eigen::VectorXd slope(const Eigen::MatrixXd& shared) const {
-    return trend_.tail(shared.cols()) + shared.transpose() * left_;
+  /// Of the mean, along some of the coordinates. \param shared `KrigingFrame::slopes` of the place
+  [[nodiscard]] Eigen::VectorXd slope(const Eigen::MatrixXd& shared,
+                                      std::span<const Eigen::Index> along) const {
+    Eigen::VectorXd out = shared.transpose() * left_;
+    for (std::size_t a = 0; a < along.size(); ++a) {
+      out[static_cast<Eigen::Index>(a)] += trend_[1 + along[a]];
+    }
+    return out;
   }
 
   /// Of each run from what all others say of it, in units of its standard deviation.

@@ -15,6 +15,7 @@
 #include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace scree {
 
@@ -30,8 +31,12 @@ struct Prior {
   /// Leaves one parameter where it is.
   void fix(Eigen::Index parameter, double share) {
     centre[parameter] = share;
-    precision[parameter] = 1e12;
+    precision[parameter] = fixed;
   }
+  [[nodiscard]] bool is_fixed(Eigen::Index parameter) const { return precision[parameter] == fixed; }
+
+private:
+  static constexpr double fixed = 1e12; ///< precision
 };
 
 /// The parameters near one point of their space, in shares of it: a normal distribution, from the surfaces
@@ -46,7 +51,7 @@ public:
         freedom_{response.freedom()},
         seen_{measured, response, at},
         weight_{(seen_.of_measured + seen_.of_simulated).inverse()} {
-    const Eigen::MatrixXd slopes = response.slopes(at);
+    const Eigen::MatrixXd slopes = slopes_of(response, prior_, at);
     Eigen::MatrixXd precision = slopes.transpose() * weight_ * slopes;
     precision.diagonal() += prior_.precision;
     covariance_ = precision.inverse();
@@ -115,6 +120,20 @@ public:
   [[nodiscard]] double misfit() const { return seen_.residual.dot(weight_ * seen_.residual); }
 
 private:
+  /// Observables by parameters; nothing along those that are fixed, as nothing comes of it.
+  static Eigen::MatrixXd slopes_of(const ResponseSurface& response, const Prior& prior,
+                                   const Eigen::VectorXd& at) {
+    std::vector<Eigen::Index> along;
+    for (Eigen::Index k = 0; k < at.size(); ++k) {
+      if (!prior.is_fixed(k)) {
+        along.push_back(k);
+      }
+    }
+    Eigen::MatrixXd out = Eigen::MatrixXd::Zero(response.noise().size(), at.size());
+    out(Eigen::indexing::all, along) = response.slopes(at, along);
+    return out;
+  }
+
   std::span<const Measured> measured_;
   Prior prior_;
   Eigen::VectorXd at_;

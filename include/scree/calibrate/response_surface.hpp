@@ -12,6 +12,8 @@
 #include <cstddef>
 #include <iterator>
 #include <map>
+#include <numeric>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -95,17 +97,25 @@ public:
     out.variance += (square - out.mean.cwiseAbs2()).cwiseMax(0.0);
     return out;
   }
-  /// Observables by parameters: change per share.
-  [[nodiscard]] Eigen::MatrixXd slopes(const Eigen::VectorXd& at) const {
-    Eigen::MatrixXd out = Eigen::MatrixXd::Zero(noise_.size(), at.size());
+  /// Observables by parameters: change per share, along some of the parameters.
+  [[nodiscard]] Eigen::MatrixXd slopes(const Eigen::VectorXd& at, std::span<const Eigen::Index> along) const {
+    Eigen::MatrixXd out = Eigen::MatrixXd::Zero(noise_.size(), static_cast<Eigen::Index>(along.size()));
     for (const Shared& shared : shared_) {
-      const Eigen::MatrixXd slopes = shared.frame.slopes(at);
+      const Eigen::MatrixXd slopes = shared.frame.slopes(at, along);
       for (const Surface& s : shared.surfaces) {
-        out.row(s.observable) += s.weight * s.surface.slope(slopes).transpose();
+        out.row(s.observable) += s.weight * s.surface.slope(slopes, along).transpose();
       }
     }
     return out;
   }
+  /// The same along the first `count` parameters.
+  [[nodiscard]] Eigen::MatrixXd slopes(const Eigen::VectorXd& at, Eigen::Index count) const {
+    std::vector<Eigen::Index> along(static_cast<std::size_t>(count));
+    std::iota(along.begin(), along.end(), Eigen::Index{0});
+    return slopes(at, along);
+  }
+  /// The same along all.
+  [[nodiscard]] Eigen::MatrixXd slopes(const Eigen::VectorXd& at) const { return slopes(at, at.size()); }
 
 private:
   /// One of the surfaces that an observable is averaged over.

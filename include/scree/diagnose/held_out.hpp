@@ -43,7 +43,7 @@ inline HeldOutPrediction predicted(const Court& court, const Hypothesis& hypothe
       at[hypothesis.free()[k]] = point.shares[static_cast<Eigen::Index>(k)];
     }
     const auto surface = response.predicted(at);
-    const Eigen::MatrixXd slopes = response.slopes(at).leftCols(fit.base.size());
+    const Eigen::MatrixXd slopes = response.slopes(at, fit.base.size());
     out.mean += weight * surface.mean;
     second += weight * (surface.mean * surface.mean.transpose());
     out.covariance += weight * (slopes * fit.precision.llt().solve(slopes.transpose()));

@@ -60,6 +60,9 @@ public:
       Point point{Eigen::VectorXd(static_cast<Eigen::Index>(free_.size())), 0.0, {}};
       Prior fixed = prior;
       Eigen::VectorXd near = best;
+      if (!points_.empty()) {
+        near.head(space.base()) = points_.back().local.base; // a neighbour's, mostly
+      }
       for (std::size_t a = 0; a < free_.size(); ++a) {
         const double share = axes[a][at[a]];
         point.shares[static_cast<Eigen::Index>(a)] = share;
@@ -226,7 +229,7 @@ private:
 
   static LocalModel local_at(const Eigen::VectorXd& at, const ResponseSurface& response, Eigen::Index base) {
     const auto predicted = response.predicted(at);
-    return {at.head(base), predicted.mean, predicted.variance, response.slopes(at).leftCols(base)};
+    return {at.head(base), predicted.mean, predicted.variance, response.slopes(at, base)};
   }
 
   std::vector<std::size_t> causes_;
