@@ -59,7 +59,7 @@ public:
   }
   /// Of the mean there, over the variance of the noise.
   [[nodiscard]] double variance(const Place& place) const {
-    const Eigen::VectorXd weights = inverse_ * place.shared;
+    const Eigen::VectorXd weights = inverse_.selfadjointView<Eigen::Lower>() * place.shared;
     const Eigen::VectorXd rest = place.basis - plane_.transpose() * weights;
     return std::max(0.0, place.alone - place.shared.dot(weights) + rest.dot(of_plane_ * rest));
   }

@@ -68,7 +68,10 @@ struct StudentPart {
     return (freedom + size()) * std::log1p(distance2 / freedom);
   }
   [[nodiscard]] double log_density(double distance2) const {
-    return boost::math::lgamma(0.5 * (freedom + size())) - boost::math::lgamma(0.5 * freedom) -
+    // Judged thousands of times, where a double is precise enough.
+    using InDouble = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
+    return boost::math::lgamma(0.5 * (freedom + size()), InDouble{}) -
+           boost::math::lgamma(0.5 * freedom, InDouble{}) -
            0.5 * size() * std::log(freedom * std::numbers::pi) - 0.5 * log_determinant -
            0.5 * deviance(distance2);
   }
