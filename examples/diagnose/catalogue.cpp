@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <set>
 #include <string_view>
+#include <utility>
 
 namespace diagnose {
 
@@ -17,67 +18,130 @@ namespace ex = scree::examples;
 
 namespace {
 
-/// A cause with one parameter of the rock. Ranges are what rock and rigs have, at most; all are ours.
+/// What a parameter of the rock or the gear may be, at most.
+struct Range {
+  std::string_view parameter{};
+  double least = 0.0, most = 0.0; ///< times the null value where `times_null`
+  bool times_null = false;
+};
+/// Ranges are what rock and rigs have; all are ours.
 struct Entry {
-  std::string_view name, parameter;
-  double least, most; ///< times the null value where `times_null`
-  bool times_null;
+  std::string_view name;
+  std::array<Range, 2> ranges; ///< the second may have no parameter
   std::string_view extension, separated_by;
+  std::string_view only_with{}; ///< the one kind of experiment that shows it; empty: any may
 };
 constexpr std::array entries{
-    Entry{"rolling_resistance", "rolling_friction", 0.0, 0.5, false,
+    Entry{"rolling_resistance",
+          {Range{"rolling_friction", 0.0, 0.5}},
           "Contact = LinearSpring<RollingResistance>, Material::rolling_friction",
           "tilt_test of single rocks; bulk_density at another packing_friction"},
-    Entry{"adhesion", "adhesion", 0.0, 4.0, false, "Contact = LinearSpring<Adhesion>",
+    Entry{"adhesion",
+          {Range{"adhesion", 0.0, 4.0}},
+          "Contact = LinearSpring<Adhesion>",
           "angle_of_repose of two sizes"},
-    Entry{"normal_law", "normal_exponent", 1.0, 1.6, false, "Contact = LinearSpring<NormalExponent>",
+    Entry{"normal_law",
+          {Range{"normal_exponent", 1.0, 1.6}},
+          "Contact = LinearSpring<NormalExponent>",
           "oedometer between other loads"},
-    Entry{"normal_hysteresis", "unloading_ratio", 1.0, 3.0, false, "Contact = LinearSpring<NormalHysteresis>",
+    Entry{"normal_hysteresis",
+          {Range{"unloading_ratio", 1.0, 3.0}},
+          "Contact = LinearSpring<NormalHysteresis>",
           "drop_test at two heights"},
-    Entry{"wall_friction", "rig_friction", 0.02, 0.9, false, "Material::friction of the rig",
+    Entry{"wall_friction",
+          {Range{"rig_friction", 0.02, 0.9}},
+          "Material::friction of the rig",
           "oedometer with the force on its base"},
-    Entry{"damping", "restitution", 0.15, 0.95, false, "Material::restitution", "drop_test at two heights"},
-    Entry{"initial_packing", "packing_friction", 0.1, 2.0, false, "FillRecipe::packing_friction",
+    Entry{"damping", {Range{"restitution", 0.15, 0.95}}, "Material::restitution", "drop_test at two heights"},
+    Entry{"initial_packing",
+          {Range{"packing_friction", 0.1, 2.0}},
+          "FillRecipe::packing_friction",
           "immersion; bulk_density at another packing_friction"},
-    Entry{"particle_density", "particle_density", 0.7, 1.4, true, "Material::density", "immersion"},
-    Entry{"shape_fraction", "first_shape_share", 0.02, 0.95, false,
-          "ShapeFraction::fraction of the first shape", "bulk_density at another packing_friction"},
-    Entry{"size_scale", "size_factor", 0.7, 1.5, true, "Assembly(shapes, size_factor)",
+    Entry{"particle_density", {Range{"particle_density", 0.7, 1.4, true}}, "Material::density", "immersion"},
+    Entry{"shape_fraction",
+          {Range{"first_shape_share", 0.02, 0.95}},
+          "ShapeFraction::fraction of the first shape",
+          "bulk_density at another packing_friction"},
+    Entry{"size_scale",
+          {Range{"size_factor", 0.7, 1.5, true}},
+          "Assembly(shapes, size_factor)",
           "immersion, whose grains are counted"},
-    Entry{"rate_friction", "friction_rate", -1.0, 3.0, false, "Contact = LinearSpring<RateFriction>",
+    Entry{"rate_friction",
+          {Range{"friction_rate", -1.0, 3.0}},
+          "Contact = LinearSpring<RateFriction>",
           "angle_of_repose with another height of fall"},
-    Entry{"attrition", "attrition", 0.0, 300.0, false, "Contact = LinearSpring<Attrition>",
-          "oedometer over more cycles"}};
+    Entry{"attrition",
+          {Range{"attrition", 0.0, 300.0}},
+          "Contact = LinearSpring<Attrition>",
+          "oedometer over more cycles"},
+    Entry{"rope_stiffness",
+          {Range{"rope_stiffness", 0.1, 10.0, true}},
+          "DragSetup::rope_stiffness",
+          "drag with the rope wound in beside it (lag_m)",
+          "drag"},
+    Entry{"load_cell",
+          {Range{"load_cell_gain", 0.7, 1.4}, Range{"load_cell_offset", -50.0, 50.0}},
+          "nothing: the readings are to be mended, Gear::reading",
+          "a dead weight on the rope",
+          "drag"},
+    Entry{"bucket_inertia",
+          {Range{"bucket_mass", 0.6, 1.7}, Range{"bucket_inertia", 0.5, 2.0}},
+          "BucketBody::body, mass and inertia",
+          "the bucket hung up and weighed",
+          "drag"},
+    Entry{"bed_floor",
+          {Range{"floor_depth", 0.6, 1.2}},
+          "DragSetup::bed_depth",
+          "drag in a deeper bed",
+          "drag"}};
+
+/// \throws Error for a name that is none of the causes.
+void refuse_unknown(const std::set<std::string>& names) {
+  for (const std::string& name : names) {
+    if (std::none_of(entries.begin(), entries.end(), [&](const Entry& e) { return e.name == name; })) {
+      std::string known;
+      for (const Entry& e : entries) {
+        known += message(known.empty() ? "" : ", ", e.name);
+      }
+      throw Error(message("causes: there is no '", name, "'; there are ", known));
+    }
+  }
+}
 
 } // namespace
 
 std::vector<Cause> catalogue(const ex::Plan& plan, const std::string& only) {
   const std::vector<std::string> listed = ex::comma_list(only);
-  std::set<std::string> wanted{listed.begin(), listed.end()};
+  const std::set<std::string> wanted{listed.begin(), listed.end()};
+  refuse_unknown(wanted);
   std::vector<Cause> out;
-  std::string known;
   for (const Entry& e : entries) {
-    known += message(known.empty() ? "" : ", ", e.name);
-    const std::string name{e.name};
-    if (!only.empty() && wanted.erase(name) == 0) {
+    const bool shown = e.only_with.empty() ||
+                       std::any_of(plan.experiments.begin(), plan.experiments.end(),
+                                   [&](const ex::PlannedExperiment& x) { return x.kind == e.only_with; });
+    if (!shown || (!wanted.empty() && !wanted.contains(std::string{e.name}))) {
       continue;
     }
-    const bool looked_for = std::any_of(plan.space.begin(), plan.space.end(),
-                                        [&](const Parameter& p) { return p.name == e.parameter; });
-    if (looked_for) {
-      continue;
+    Cause cause{.name = std::string{e.name},
+                .parameters = {},
+                .null = {},
+                .extension = std::string{e.extension},
+                .separated_by = {std::string{e.separated_by}}};
+    for (const Range& range : e.ranges) {
+      const bool looked_for = std::any_of(plan.space.begin(), plan.space.end(),
+                                          [&](const Parameter& p) { return p.name == range.parameter; });
+      if (range.parameter.empty() || looked_for) {
+        continue;
+      }
+      const RockParameter& parameter = rock_parameter(range.parameter);
+      const double null = parameter.get(plan.model), factor = range.times_null ? null : 1.0;
+      cause.parameters.push_back({std::string{range.parameter}, std::string{parameter.unit},
+                                  range.least * factor, range.most * factor, parameter.logarithmic});
+      cause.null.push_back(null);
     }
-    const RockParameter& parameter = rock_parameter(e.parameter);
-    const double null = parameter.get(plan.model), factor = e.times_null ? null : 1.0;
-    out.push_back({.name = name,
-                   .parameters = {{std::string{e.parameter}, std::string{parameter.unit}, e.least * factor,
-                                   e.most * factor, parameter.logarithmic}},
-                   .null = {null},
-                   .extension = std::string{e.extension},
-                   .separated_by = {std::string{e.separated_by}}});
-  }
-  if (!wanted.empty()) {
-    throw Error(message("causes: there is no '", *wanted.begin(), "'; there are ", known));
+    if (!cause.parameters.empty()) {
+      out.push_back(std::move(cause));
+    }
   }
   return out;
 }

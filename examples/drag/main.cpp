@@ -3,8 +3,10 @@
 
 #include "parameters.hpp"
 #include "record.hpp"
-#include "rock_and_bucket.hpp"
+#include "sizes.hpp"
 
+#include "scree/geometry/mesh_measures.hpp"
+#include "scree/io/stl.hpp"
 #include "scree/laboratory/drag_rig.hpp"
 #include "scree/measure/state_hash.hpp"
 #include "support/progress.hpp"
@@ -82,7 +84,7 @@ public:
 private:
   void work() {
     std::vector<std::string> remarks;
-    const scree::BucketBody bucket = drag::bucket(p_, remarks);
+    const scree::BucketBody bucket = p_.dragline.bucket(remarks);
     scree::write_stl_binary(folder_ / "bucket.stl", bucket.surface);
     summary_["bucket"] = described(bucket);
     summary_["remarks"] = remarks;
@@ -90,7 +92,8 @@ private:
       progress_.close();
       fmt::print("{}\n", remark);
     }
-    Rig rig{p_.setup, bucket, {.neighbours = {.share = p_.skin_share}, .step_safety = p_.step_safety}};
+    Rig rig{
+        p_.dragline.setup, bucket, {.neighbours = {.share = p_.skin_share}, .step_safety = p_.step_safety}};
     make_bed(rig);
     dig(rig);
     finish(rig);
@@ -101,7 +104,7 @@ private:
     const scree::BedReport& bed =
         rig.make_bed(assembly, [&](const auto& simulation, const scree::Stage& stage) {
           // A bed falls and comes to rest within a few times the fall through its depth.
-          const double expected = 4.0 * std::sqrt(2.0 * p_.setup.bed_depth / 9.81);
+          const double expected = 4.0 * std::sqrt(2.0 * p_.dragline.setup.bed_depth / 9.81);
           count(simulation);
           progress_(bed_share * std::min(0.99, std::max(stage.share, simulation.time() / expected)),
                     fmt::format("bed: {} {} grains", stage.name, simulation.bodies().size()));
@@ -119,7 +122,7 @@ private:
     if (!bed.at_rest) {
       fmt::print("bed: not at rest within bed.patience = {} s: unbalanced force ratio {:.2g}, {:.2g} of the "
                  "grains faster than bed.speed\n",
-                 p_.setup.bed.rest.patience, bed.unbalanced, bed.moving);
+                 p_.dragline.setup.bed.rest.patience, bed.unbalanced, bed.moving);
     }
   }
 
@@ -152,7 +155,7 @@ private:
         sample = rig.sample();
       }
       record();
-      progress_(bed_share + (1.0 - bed_share) * sample.drag / p_.setup.drag_distance,
+      progress_(bed_share + (1.0 - bed_share) * sample.drag / p_.dragline.setup.drag_distance,
                 fmt::format("drag {:.2f} m, {:.0f} N, pitch {:.1f}°, {:.1f} kg", sample.drag, sample.force,
                             drag::degrees(sample.attitude.pitch), sample.fill.struck));
     }
@@ -207,7 +210,7 @@ private:
     }
   }
   [[nodiscard]] std::string title() const {
-    return fmt::format("Dragline bucket, {} fidelity, seed {}", p_.fidelity, p_.setup.seed);
+    return fmt::format("Dragline bucket, {} fidelity, seed {}", p_.fidelity, p_.dragline.setup.seed);
   }
   void save() const { ex::write_json(folder_ / "summary.json", summary_); }
 

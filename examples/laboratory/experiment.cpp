@@ -16,7 +16,8 @@ struct Kind {
 constexpr std::array kinds{
     Kind{"immersion", detail::make_immersion}, Kind{"bulk_density", detail::make_bulk_density},
     Kind{"oedometer", detail::make_oedometer}, Kind{"angle_of_repose", detail::make_angle_of_repose},
-    Kind{"drop_test", detail::make_drop_test}, Kind{"tilt_test", detail::make_tilt_test}};
+    Kind{"drop_test", detail::make_drop_test}, Kind{"tilt_test", detail::make_tilt_test},
+    Kind{"drag", detail::make_drag_test}};
 
 } // namespace
 

@@ -68,10 +68,14 @@ public:
   }
 
   /// One run with all that is to be seen of it, after `Workbench::begin`.
-  virtual void show(Workbench& bench) const = 0;
+  /// \throws Error for a kind that has a program of another form.
+  virtual void show(Workbench& /*bench*/) const {
+    throw Error("this kind of experiment is shown by a program of another form");
+  }
 };
 
-/// Of the kinds "immersion", "bulk_density", "oedometer", "angle_of_repose", "drop_test" and "tilt_test".
+/// Of the kinds "immersion", "bulk_density", "oedometer", "angle_of_repose", "drop_test",
+/// "tilt_test" and "drag".
 /// \param desk whether the defaults are those of desk fidelity, or the paper's size
 /// \throws Error for another kind.
 std::unique_ptr<Experiment> make_experiment(const std::string& kind, bool desk);
@@ -85,6 +89,7 @@ std::unique_ptr<Experiment> make_oedometer(bool desk);
 std::unique_ptr<Experiment> make_angle_of_repose(bool desk);
 std::unique_ptr<Experiment> make_drop_test(bool desk);
 std::unique_ptr<Experiment> make_tilt_test(bool desk);
+std::unique_ptr<Experiment> make_drag_test(bool desk);
 
 /// The setup with the rock and so on of one run.
 template <class Setup>

@@ -36,7 +36,11 @@ constexpr std::array known{Known{"rolling_resistance", "rolling_friction", 0.0, 
                            Known{"shape_fraction", "first_shape_share", 0.0, 1.0, 0.6, 0.9},
                            Known{"size_scale", "size_factor", 0.05, 50.0, 1.15, 1.35, true},
                            Known{"rate_friction", "friction_rate", -1e3, 1e3, 0.5, 2.0},
-                           Known{"attrition", "attrition", 0.0, 1e9, 30.0, 200.0}};
+                           Known{"attrition", "attrition", 0.0, 1e9, 30.0, 200.0},
+                           Known{"rope_stiffness", "rope_stiffness", 1e-3, 1e3, 0.15, 0.4},
+                           Known{"load_cell", "load_cell_gain", 0.1, 10.0, 1.15, 1.35},
+                           Known{"bucket_inertia", "bucket_mass", 0.1, 10.0, 1.3, 1.6},
+                           Known{"bed_floor", "floor_depth", 0.1, 10.0, 0.65, 0.8}};
 
 } // namespace
 

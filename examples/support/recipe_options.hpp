@@ -36,6 +36,8 @@ inline void bind_bed(Options& options, BedRecipe& bed) {
               "poured beyond the brim and struck off, of the volume");
   options.add("bed.expected_porosity", bed.expected_porosity, {0.05, 0.95}, "for how much to pour");
   options.add("bed.settling_damping", bed.settling_damping, {0.0, 0.99}, "local, while the bed is made");
+  options.add("bed.packing_friction", bed.packing_friction, {1e-3, 1e3},
+              "times its own, the rock's friction while it is poured; below 1 it packs denser");
   bind_rest(options, "bed", bed.rest);
 }
 

@@ -111,4 +111,19 @@ Unrest settle(Simulation& simulation, double damping, const RestCriterion& crite
   return unrest;
 }
 
+/// The same under another friction as well.
+/// \param material of the grains
+/// \param factor on its friction, above 0
+template <class Simulation, class Watch>
+Unrest settle_with_friction(Simulation& simulation, MaterialId material, double factor, double damping,
+                            const RestCriterion& criterion, double least, Watch& watch) {
+  const Material own = simulation.materials().at(material);
+  Material poured = own;
+  poured.friction *= factor;
+  simulation.change_material(material, poured);
+  const Unrest unrest = settle(simulation, damping, criterion, least, watch);
+  simulation.change_material(material, own);
+  return unrest;
+}
+
 } // namespace scree

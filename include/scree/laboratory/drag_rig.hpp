@@ -20,6 +20,7 @@ namespace scree {
 struct DragSample {
   double time = 0.0;        ///< s, since the winch started
   double drag = 0.0;        ///< m, of the bucket's centre of gravity along the bed
+  double wound = 0.0;       ///< m, of rope wound in, each, since the winch started
   double force = 0.0;       ///< N, of both ropes, mean since the sample before
   double force_left = 0.0;  ///< N
   double force_right = 0.0; ///< N
@@ -124,6 +125,7 @@ public:
     const WallMotion& motion = simulation_.wall(wall_).motion;
     s.time = simulation_.time() - winch_start_;
     s.drag = drag();
+    s.wound = setup_.wound(s.time);
     const double span = simulation_.time() - last_sample_;
     const auto mean = [&](std::size_t k) { return span > 0.0 ? pulled_[k] / span : ropes()[k].tension; };
     s.force_left = mean(0);

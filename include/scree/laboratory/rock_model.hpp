@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A rock with all that may be changed in a simulation of it.
+/// A rock with all that may be changed in a simulation of it, or of a rig that digs in it.
 
 #include "scree/contact/adhesion.hpp"
 #include "scree/contact/attrition.hpp"
@@ -9,6 +9,7 @@
 #include "scree/contact/normal_hysteresis.hpp"
 #include "scree/contact/rate_friction.hpp"
 #include "scree/contact/rolling_resistance.hpp"
+#include "scree/laboratory/gear.hpp"
 #include "scree/laboratory/rock_sample.hpp"
 #include "scree/simulation/model.hpp"
 
@@ -28,6 +29,7 @@ struct RockModel {
   ExtendedLaw law{NormalExponent{}, NormalHysteresis{}, Adhesion{},
                   RateFriction{},   Attrition{},        RollingResistance{.damping = 0.3}};
   double packing_friction = 1.0; ///< FillRecipe::packing_friction of what is filled with it
+  Gear gear{};                   ///< of the drag in it
 
   /// Whether the base law does not do, as an extension has another value than null.
   [[nodiscard]] bool extended() const {

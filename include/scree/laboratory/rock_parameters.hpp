@@ -36,8 +36,9 @@ inline void set_share(Assembly& assembly, std::size_t shape, double share) {
 
 } // namespace detail
 
-/// The stiffness of the rock takes its shear stiffness along, and that of the rig, in proportion. Porosity
-/// and angle go nearly by the logarithm of friction (desk fidelity, 0.15 to 0.7), which few runs follow best.
+/// Those of the gear are factors on what is stated of it, but for the offset of the load cell. The stiffness
+/// of the rock takes its shear stiffness along, and that of the rig, in proportion. Porosity and angle go
+/// nearly by the logarithm of friction (desk fidelity, 0.15 to 0.7), which few runs follow best.
 inline constexpr std::array rock_parameters{
     RockParameter{"particle_density", "kg/m3", true, [](const RockModel& m) { return m.sample.rock.density; },
                   [](RockModel& m, double value) { m.sample.rock.density = value; }},
@@ -94,6 +95,18 @@ inline constexpr std::array rock_parameters{
     RockParameter{"first_shape_share", "", false,
                   [](const RockModel& m) { return m.sample.assembly.shapes().front().fraction; },
                   [](RockModel& m, double value) { detail::set_share(m.sample.assembly, 0, value); }},
+    RockParameter{"rope_stiffness", "", true, [](const RockModel& m) { return m.gear.rope_stiffness; },
+                  [](RockModel& m, double value) { m.gear.rope_stiffness = value; }},
+    RockParameter{"load_cell_gain", "", false, [](const RockModel& m) { return m.gear.load_cell_gain; },
+                  [](RockModel& m, double value) { m.gear.load_cell_gain = value; }},
+    RockParameter{"load_cell_offset", "N", false, [](const RockModel& m) { return m.gear.load_cell_offset; },
+                  [](RockModel& m, double value) { m.gear.load_cell_offset = value; }},
+    RockParameter{"bucket_mass", "", true, [](const RockModel& m) { return m.gear.bucket_mass; },
+                  [](RockModel& m, double value) { m.gear.bucket_mass = value; }},
+    RockParameter{"bucket_inertia", "", true, [](const RockModel& m) { return m.gear.bucket_inertia; },
+                  [](RockModel& m, double value) { m.gear.bucket_inertia = value; }},
+    RockParameter{"floor_depth", "", false, [](const RockModel& m) { return m.gear.floor_depth; },
+                  [](RockModel& m, double value) { m.gear.floor_depth = value; }},
 };
 
 /// \throws Error for a name that is none of them.

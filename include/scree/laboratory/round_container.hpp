@@ -100,16 +100,10 @@ FillReport fill_container(Simulation& simulation, const RoundContainer& containe
   };
   RestCriterion poured = recipe.rest;
   poured.moving = 1.0; // what still rolls over the surface is struck off
-  const Material own = simulation.materials().at(rock);
-  if (recipe.packing_friction != 1.0) {
-    Material poured_rock = own;
-    poured_rock.friction *= recipe.packing_friction;
-    simulation.change_material(rock, poured_rock);
-  }
-  require_rest("fill", settle(simulation, recipe.settling_damping, poured, fall, observe), poured);
-  if (recipe.packing_friction != 1.0) {
-    simulation.change_material(rock, own);
-  }
+  require_rest("fill",
+               settle_with_friction(simulation, rock, recipe.packing_friction, recipe.settling_damping,
+                                    poured, fall, observe),
+               poured);
 
   const double brim = container.height;
   double above = 0.0; // m3 of solid

@@ -26,7 +26,9 @@ struct BedRecipe {
   double surplus = 0.12;             ///< of the volume, poured and struck off at the brim, above 0
   double expected_porosity = 0.42;   ///< for how much to pour, where none is requested, 0.05 to 0.95
   double settling_damping = 0.3;     ///< local, while the grains come to rest, 0 to 0.99
-  RestCriterion rest{};              ///< of the bed; its patience is that of each stage
+  /// Times its own, the friction of the rock while it is poured, above 0, as FillRecipe::packing_friction.
+  double packing_friction = 1.0;
+  RestCriterion rest{}; ///< of the bed; its patience is that of each stage
 
   /// \throws Error for a value out of its range.
   void check() const {
@@ -37,6 +39,7 @@ struct BedRecipe {
     require_positive("bed surplus", surplus);
     require("bed expected_porosity", expected_porosity, {0.05, 0.95});
     require("bed settling_damping", settling_damping, {0.0, 0.99});
+    require("bed packing_friction", packing_friction, {1e-3, 1e3});
     rest.check();
   }
 };
@@ -173,7 +176,8 @@ BedReport settle_bed(Simulation& simulation, const BedContainer& bed, const Asse
   // What still rolls over the surface is struck off or shaken anyway.
   RestCriterion inside = recipe.rest;
   inside.moving = 1.0;
-  come_to_rest(simulation, inside, fall, observe);
+  settle_with_friction(simulation, rock, recipe.packing_friction, recipe.settling_damping, inside, fall,
+                       observe);
 
   const Eigen::AlignedBox3d core = detail::bed_core(bed, grain);
   const auto measured = [&] { return porosity(simulation.bodies(), core); };
