@@ -15,7 +15,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <locale>
 #include <span>
+#include <sstream>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -53,6 +56,24 @@ public:
   void shuffle(std::span<T> items) {
     for (std::size_t i = items.size(); i > 1; --i) {
       std::swap(items[i - 1], items[index(i)]);
+    }
+  }
+
+  /// Where the stream is (core/archive.hpp).
+  template <class Self, class Archive>
+  static void fields(Self& self, Archive& archive) {
+    std::stringstream text;
+    text.imbue(std::locale::classic());
+    text << self.engine_;
+    std::string state = text.str();
+    archive(state);
+    if constexpr (Archive::reading) {
+      text.str(state + ' '); // behind the last number its reader looks for more
+      text.clear();
+      text >> self.engine_;
+      if (!text) {
+        archive.fail("a stream of random numbers is not what it should be");
+      }
     }
   }
 
