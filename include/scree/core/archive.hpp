@@ -105,6 +105,12 @@ public:
   /// A name that the reader looks for at the same place.
   void section(std::string_view name) { put(std::string{name}); }
 
+  /// What the reader must have too. \param value a number or a string
+  template <class T>
+  void same(std::string_view /*what*/, const T& value) {
+    put(value);
+  }
+
   [[nodiscard]] const std::string& bytes() const { return bytes_; }
 
 private:
@@ -187,6 +193,16 @@ public:
     get(found);
     if (found != name) {
       fail(message("the part '", name, "' is not where it should be"));
+    }
+  }
+  /// \param what for the message
+  /// \throws Error where the writer had another value.
+  template <class T>
+  void same(std::string_view what, const T& value) {
+    T found{};
+    get(found);
+    if (!(found == value)) {
+      fail(message(what, " is ", found, " there and ", value, " here"));
     }
   }
   /// \throws Error unless all was read.

@@ -51,6 +51,17 @@ public:
     });
   }
 
+  template <class Self, class Archive>
+  static void fields(Self& self, Archive& archive) {
+    archive(self.start_, self.items_);
+    if constexpr (Archive::reading) {
+      if (self.start_.empty() || self.start_.front() != 0 || self.start_.back() != self.items_.size() ||
+          !std::is_sorted(self.start_.begin(), self.start_.end())) {
+        archive.fail("rows do not fit their items");
+      }
+    }
+  }
+
 private:
   static constexpr std::size_t chunk = 512;
 

@@ -33,6 +33,13 @@ struct Material {
   /// `restitution` gives.
   double normal_damping_rate = 0.0; ///< 1/s, 0 or above
   double shear_damping_rate = 0.0;  ///< 1/s, 0 or above
+
+  template <class Self, class Archive>
+  static void fields(Self& self, Archive& archive) {
+    archive(self.name, self.density, self.normal_stiffness, self.shear_stiffness, self.youngs_modulus,
+            self.poisson_ratio, self.friction, self.restitution, self.rolling_friction,
+            self.normal_damping_rate, self.shear_damping_rate);
+  }
 };
 
 /// What the stiffness of a material stands for.

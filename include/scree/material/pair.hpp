@@ -139,6 +139,11 @@ public:
     return mix(at(a), at(b), convention_, found != overrides_.end() ? found->second : PairOverride{});
   }
 
+  template <class Self, class Archive>
+  static void fields(Self& self, Archive& archive) {
+    archive(self.materials_, self.overrides_);
+  }
+
 private:
   Stiffness convention_;
   std::vector<Material> materials_;

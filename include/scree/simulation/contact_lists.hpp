@@ -45,14 +45,8 @@ public:
   [[nodiscard]] const Pairs& pairs() const { return pairs_; }
   /// Of all pairs, in their order.
   [[nodiscard]] std::vector<typename Pairs::History> histories() const {
-    std::vector<typename Pairs::History> out(pairs_.size());
-    for (const BlockPairs& block : block_pairs_) {
-      for (const Packs* packs : block.all()) {
-        for (std::size_t k = 0; k < packs->size(); ++k) {
-          out[packs->pair(k).number] = packs->history(k);
-        }
-      }
-    }
+    std::vector<typename Pairs::History> out = pairs_.histories();
+    for_each_history(block_pairs_, [&](std::uint32_t pair, const auto& history) { out[pair] = history; });
     return out;
   }
   [[nodiscard]] BlockPairs& block_pairs(std::size_t b) { return block_pairs_[b]; }
@@ -145,9 +139,74 @@ public:
     valid_ = false;
   }
 
+  /// All but what `rebuild` makes (core/archive.hpp).
+  template <class Self, class Archive>
+  static void fields(Self& self, Archive& archive) {
+    if constexpr (Archive::reading) {
+      archive(self.pairs_);
+    } else {
+      Pairs laid_down = self.pairs_;
+      for_each_history(self.block_pairs_,
+                       [&](std::uint32_t pair, const auto& history) { laid_down.history(pair) = history; });
+      archive(laid_down);
+    }
+    archive(self.wall_blocks_, self.near_walls_, self.listed_at_, self.skin_, self.travel_, self.wall_travel_,
+            self.step_travel_, self.valid_, self.sorted_at_, self.renewals_);
+  }
+  /// After reading, with the bodies that were there. Returns whether all belongs together.
+  bool rebuild(const Domain& domain, const Bodies<Real>& bodies, std::span<const AnyWall> walls,
+               Workers& workers) {
+    block_pairs_.clear();
+    blocks_ = divided(bodies);
+    if (!consistent(bodies, walls)) {
+      return false;
+    }
+    if (valid_) {
+      block_pairs_.resize(blocks_.size());
+      renew_packs(domain, bodies, workers);
+    }
+    return true;
+  }
+
 private:
   static constexpr std::size_t wrap_interval = 100; // steps between two looks; ours
   static constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
+
+  template <class BlocksOfPairs, class Visit>
+  static void for_each_history(const BlocksOfPairs& blocks, Visit visit) {
+    for (const BlockPairs& block : blocks) {
+      for (const Packs* packs : block.all()) {
+        for (std::size_t k = 0; k < packs->size(); ++k) {
+          visit(packs->pair(k).number, packs->history(k));
+        }
+      }
+    }
+  }
+
+  /// Whether pairs and wall contacts name only what there is.
+  [[nodiscard]] bool consistent(const Bodies<Real>& bodies, std::span<const AnyWall> walls) const {
+    const std::size_t spheres = bodies.sphere_count();
+    const auto known = [&](const auto& item) {
+      return item.sphere < spheres && item.wall < walls.size() &&
+             item.surface < walls[item.wall].surfaces.size();
+    };
+    bool well = pairs_.row_count() <= spheres &&
+                (!valid_ || (pairs_.row_count() == spheres && listed_at_.size() == spheres &&
+                             wall_blocks_.size() == blocks_.size() && near_walls_.size() == walls.size()));
+    for (std::size_t pair = 0; well && pair < pairs_.size(); ++pair) {
+      well = pairs_.partner(pair).sphere < spheres && pairs_.partner(pair).image < 27;
+    }
+    for (std::size_t k = 0; well && k < wall_blocks_.size(); ++k) {
+      const OneWallBlock& block = wall_blocks_[k];
+      well = std::all_of(block.contacts.begin(), block.contacts.end(), known) &&
+             std::all_of(block.candidates.begin(), block.candidates.end(), [&](const WallCandidate& c) {
+               return known(c) && c.first_facet + std::size_t{c.facet_count} <= block.facets.size() &&
+                      walls[c.wall].surfaces[c.surface].has_facets(
+                          std::span{block.facets}.subspan(c.first_facet, c.facet_count));
+             });
+    }
+    return well;
+  }
 
   [[nodiscard]] bool sort_due(std::size_t step) const {
     return sort_interval_ > 0 && (sorted_at_ == never || (step % sort_interval_ == 0 && step != sorted_at_));

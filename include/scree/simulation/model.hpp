@@ -12,9 +12,12 @@
 #include "scree/walls/rope_coupled.hpp"
 #include "scree/walls/wall.hpp"
 
+#include <boost/type_index.hpp>
+
 #include <algorithm>
 #include <concepts>
 #include <cstddef>
+#include <string>
 #include <type_traits>
 
 namespace scree {
@@ -153,6 +156,20 @@ struct ModelCheck {
 };
 
 } // namespace detail
+
+/// Names what fills the slots of a model, as the compiler has it.
+template <class Model>
+std::string model_name() {
+  const auto name = [](auto type) {
+    return boost::typeindex::type_id<typename decltype(type)::type>().pretty_name();
+  };
+  return message("Real = ", name(std::type_identity<typename Model::Real>{}),
+                 ", Contact = ", name(std::type_identity<typename Model::Contact>{}),
+                 ", Neighbours = ", name(std::type_identity<typename Model::Neighbours>{}),
+                 ", Integrator = ", name(std::type_identity<typename Model::Integrator>{}),
+                 ", Walls = ", name(std::type_identity<typename Model::Walls>{}),
+                 ", energy_audit = ", Model::energy_audit);
+}
 
 /// What a simulation is given at its start; every field has a default.
 template <class Model = DefaultModel>

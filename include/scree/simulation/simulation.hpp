@@ -2,6 +2,7 @@
 /// \file
 /// The simulation type: one model, its state and its time step.
 
+#include "scree/core/archive.hpp"
 #include "scree/packing/packing.hpp"
 #include "scree/simulation/contact_lists.hpp"
 #include "scree/simulation/contact_view.hpp"
@@ -215,8 +216,57 @@ public:
     }
   }
 
+  // ---- keeping ----
+
+  /// All that later steps depend on: `archive(simulation)` writes it, or reads it into a simulation that was
+  /// made as that one was (same setup, materials, walls with their surfaces, paths and ropes; no bodies
+  /// needed). What follows is the same to the bit. See core/archive.hpp.
+  /// \throws Error that says in what the two differ.
+  template <class Self, class Archive>
+  static void fields(Self& self, Archive& archive) {
+    archive.section("simulation");
+    self.check_alike(archive);
+    archive(self.setup_.gravity, self.setup_.local_damping, self.materials_, self.bodies_);
+    for (auto& wall : self.walls_) {
+      archive.section(wall.name);
+      archive(wall);
+    }
+    archive(self.lists_, self.time_, self.start_time_, self.dt_, self.steps_, self.start_steps_,
+            self.started_, self.half_kick_, self.limit_known_, self.lost_, self.times_);
+    if constexpr (Archive::reading) {
+      const bool limit_known = self.limit_known_;
+      self.materials_changed();
+      self.limit_known_ = limit_known;
+      if (!self.lists_.rebuild(self.domain_, self.bodies_, self.walls(), self.workers_)) {
+        archive.fail("contacts, bodies and walls do not belong together");
+      }
+      self.make_room_for_results();
+    }
+  }
+
 private:
   using Clock = StepTimes::Clock;
+
+  /// \throws Error where a checkpoint is of another model or setup.
+  template <class Archive>
+  void check_alike(Archive& archive) const {
+    archive.same("model", model_name<Model>());
+    archive.same("size of a history", Law::history_size);
+    archive.same("meaning of stiffness", static_cast<int>(setup_.stiffness));
+    for (int d = 0; d < 3; ++d) {
+      archive.same(message("period[", d, "]"), setup_.period[d]);
+    }
+    archive.same("time_step", setup_.time_step);
+    archive.same("step_safety", setup_.step_safety);
+    archive.same("top_speed", setup_.top_speed);
+    archive.same("sort_interval", setup_.sort_interval);
+    archive.same("number of materials", materials_.size());
+    archive.same("number of walls", walls_.size());
+    for (const WallBody& wall : walls_) {
+      archive.same("name of a wall", wall.name);
+      archive.same(message("number of surfaces of '", wall.name, "'"), wall.surfaces.size());
+    }
+  }
 
   // ---- start and stable step ----
 
@@ -278,13 +328,17 @@ private:
 
   void keep_lists() {
     if (lists_.keep_valid(steps_, time_, domain_, bodies_, walls_, workers_)) {
-      block_results_.resize(lists_.blocks().size());
-      for (BlockResult& result : block_results_) {
-        result.walls.resize(walls_.size());
-      }
+      make_room_for_results();
       if (walls_give_way()) {
         check_step(); // a body among many grains is held more stiffly than at the start
       }
+    }
+  }
+
+  void make_room_for_results() {
+    block_results_.resize(lists_.blocks().size());
+    for (BlockResult& result : block_results_) {
+      result.walls.resize(walls_.size());
     }
   }
 

@@ -34,6 +34,12 @@ struct WallContact {
   std::array<Real, static_cast<std::size_t>(history_size)> history;
 
   [[nodiscard]] auto key() const { return std::tuple{sphere, wall, surface}; }
+
+  template <class Self, class Archive>
+  static void fields(Self& self, Archive& archive) {
+    archive(self.sphere, self.wall, self.surface, self.at, self.point, self.normal, self.overlap, self.force,
+            self.history);
+  }
 };
 
 /// Candidates and contacts of one block, both in the order of (sphere, wall, surface).
@@ -43,6 +49,12 @@ struct WallBlock {
   std::vector<std::uint32_t> facets;
   std::vector<WallContact<Real, history_size>> contacts, before;
   std::vector<Vector> tilts; ///< rad, by which the normals of the contacts turned in the step
+
+  /// What lasts from step to step.
+  template <class Self, class Archive>
+  static void fields(Self& self, Archive& archive) {
+    archive(self.candidates, self.facets, self.contacts);
+  }
 };
 
 /// Lists the spheres of `block` that are within `margin` [m] of a surface. Fixed bodies feel no walls.

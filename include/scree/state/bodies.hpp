@@ -225,6 +225,19 @@ public:
     }
   }
 
+  /// All of it (core/archive.hpp).
+  template <class Self, class Archive>
+  static void fields(Self& self, Archive& archive) {
+    archive(self.kinds_, self.ids_, self.materials_, self.solid_volumes_, self.bounding_radii_,
+            self.mobilities_, self.first_, self.spheres_, self.forces_, self.rigid_of_, self.rigid_,
+            self.first_member_, self.members_, self.body_of_, self.next_id_);
+    if constexpr (Archive::reading) {
+      if (!self.consistent()) {
+        archive.fail("bodies and spheres do not belong together");
+      }
+    }
+  }
+
   static constexpr std::uint32_t gone = std::numeric_limits<std::uint32_t>::max();
 
   /// Keeps the bodies listed in `order`, in that order. Returns for each old sphere its new index, or `gone`.
@@ -278,6 +291,25 @@ public:
 
 private:
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+  /// Whether all that is read of a body is there.
+  [[nodiscard]] bool consistent() const {
+    const std::size_t n = size(), spheres = spheres_.size(), rigid = rigid_.size();
+    bool well = ids_.size() == n && materials_.size() == n && solid_volumes_.size() == n &&
+                bounding_radii_.size() == n && mobilities_.size() == n && rigid_of_.size() == n &&
+                first_.size() == n + 1 && first_.front() == 0 && first_.back() == spheres &&
+                forces_.size() == spheres && body_of_.size() == spheres && first_member_.size() == rigid;
+    for (std::size_t b = 0; well && b < n; ++b) {
+      well = kinds_[b] <= BodyKind::fixed && first_[b] < first_[b + 1] && ids_[b] < next_id_ &&
+             (is_lone(b) ? first_[b + 1] - first_[b] == 1
+                         : rigid_of_[b] < rigid &&
+                               first_member_[rigid_of_[b]] + (first_[b + 1] - first_[b]) <= members_.size());
+      for (std::size_t s = first_[b]; well && s < first_[b + 1]; ++s) {
+        well = s < spheres && body_of_[s] == b;
+      }
+    }
+    return well;
+  }
 
   [[nodiscard]] bool is_lone(std::size_t b) const { return kinds_[b] == BodyKind::lone; }
 

@@ -35,6 +35,7 @@ public:
   [[nodiscard]] const Partner& partner(std::size_t pair) const { return rows_[pair]; }
   [[nodiscard]] const History& history(std::size_t pair) const { return history_[pair]; }
   [[nodiscard]] History& history(std::size_t pair) { return history_[pair]; }
+  [[nodiscard]] const std::vector<History>& histories() const { return history_; }
 
   /// Replaces the pairs: `partners(i, row)` appends the partners of sphere i, in any order. A pair that stays
   /// keeps its history.
@@ -104,6 +105,16 @@ public:
     history_.resize(moved.size());
     for (std::size_t m = 0; m < moved.size(); ++m) {
       history_[m] = moved[m].history;
+    }
+  }
+
+  template <class Self, class Archive>
+  static void fields(Self& self, Archive& archive) {
+    archive(self.rows_, self.history_);
+    if constexpr (Archive::reading) {
+      if (self.history_.size() != self.rows_.total()) {
+        archive.fail("pairs and histories do not belong together");
+      }
     }
   }
 

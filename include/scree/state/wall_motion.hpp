@@ -23,6 +23,11 @@ struct WallMotion {
   [[nodiscard]] Vector velocity_at(const Vector& point) const {
     return velocity + angular_velocity.cross(point - position);
   }
+
+  template <class Self, class Archive>
+  static void fields(Self& self, Archive& archive) {
+    archive(self.position, self.orientation, self.velocity, self.angular_velocity);
+  }
 };
 
 /// What the grains do to a wall body.
@@ -33,6 +38,11 @@ struct WallLoad {
   Vector angular_impulse = Vector::Zero(); ///< N m s, moment summed over time since the start
   double work = 0.0;                       ///< J, done by the wall on the grains since the start
   std::size_t contacts = 0;                ///< in the last step
+
+  template <class Self, class Archive>
+  static void fields(Self& self, Archive& archive) {
+    archive(self.force, self.moment, self.impulse, self.angular_impulse, self.work, self.contacts);
+  }
 };
 
 /// One step of time, as integrators and wall bodies see it.

@@ -19,6 +19,11 @@
 ///     // 1/s, where what holds it also damps: damping coefficient times mobility, summed.
 ///     double damping_rate() const;
 ///
+/// Dynamics that hold more than plain numbers say which of it is kept in a checkpoint (core/archive.hpp):
+///
+///     template <class Self, class Archive>
+///     static void fields(Self& self, Archive& archive);
+///
 /// Given by the library: Fixed, Prescribed, ForceControlled, RopeCoupled.
 
 #include "scree/state/wall_motion.hpp"

@@ -47,6 +47,10 @@ public:
   [[nodiscard]] static double squared_frequency() { return 0.0; }
   [[nodiscard]] static std::string holder() { return {}; }
 
+  /// All of it is what it was made with.
+  template <class Self, class Archive>
+  static void fields(Self&, Archive&) {}
+
 private:
   Setup setup_;
 };

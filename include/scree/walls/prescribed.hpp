@@ -52,6 +52,10 @@ public:
     motion.orientation = next.orientation;
   }
 
+  /// The path is the one that it was made with.
+  template <class Self, class Archive>
+  static void fields(Self&, Archive&) {}
+
 private:
   [[nodiscard]] Pose at(double time) const {
     Pose pose = path_(time);

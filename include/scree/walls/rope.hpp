@@ -40,6 +40,12 @@ struct Rope {
     }
   }
 
+  /// What changes while it pulls.
+  template <class Self, class Archive>
+  static void fields(Self& self, Archive& archive) {
+    archive(self.unstretched, self.stretch, self.tension, self.impulse, self.winch_work);
+  }
+
   [[nodiscard]] double wound_at(double time) const { return wound ? wound(time) : 0.0; }
 
   /// N, on the body at the hitch, from its present pose.

@@ -104,6 +104,16 @@ public:
                                          " N/m on a body of ", mass_, " kg");
   }
 
+  /// What changes while it moves.
+  template <class Self, class Archive>
+  static void fields(Self& self, Archive& archive) {
+    archive.same("number of ropes", self.ropes_.size());
+    archive(self.velocity_, self.spin_);
+    for (auto& rope : self.ropes_) {
+      archive(rope);
+    }
+  }
+
   [[nodiscard]] const std::vector<Rope>& ropes() const { return ropes_; }
   [[nodiscard]] std::vector<Rope>& ropes() { return ropes_; }
   [[nodiscard]] double mass() const { return mass_; }

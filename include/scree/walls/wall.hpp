@@ -56,6 +56,12 @@ public:
     }
   }
 
+  /// Whether it has facets of these numbers.
+  [[nodiscard]] bool has_facets(std::span<const std::uint32_t> facets) const {
+    const std::size_t count = mesh() != nullptr ? mesh()->mesh().facets.size() : 0;
+    return std::all_of(facets.begin(), facets.end(), [&](std::uint32_t facet) { return facet < count; });
+  }
+
   /// The mesh behind this surface, or null.
   [[nodiscard]] const MeshSurface* mesh() const {
     const auto* held = std::get_if<std::shared_ptr<const MeshSurface>>(&shape_);
@@ -91,6 +97,12 @@ struct Wall {
   Dynamics dynamics;
   WallMotion motion{};
   WallLoad load{};
+
+  /// What changes while it moves; its surfaces are those that it was made with.
+  template <class Self, class Archive>
+  static void fields(Self& self, Archive& archive) {
+    archive(self.motion, self.load, self.dynamics);
+  }
 
   /// 1/kg, as a contact sees it; 0 for a wall that does not give way to forces.
   [[nodiscard]] double inverse_mass() const {
@@ -128,6 +140,12 @@ struct Walls {
         // NOLINTNEXTLINE(google-explicit-constructor): as the variant itself
         Any(D dynamics)
         : std::variant<Dynamics...>{listed(std::move(dynamics))} {}
+
+    template <class Self, class Archive>
+    static void fields(Self& self, Archive& archive) {
+      using One = std::variant<Dynamics...>;
+      archive(static_cast<std::conditional_t<std::is_const_v<Self>, const One, One>&>(self));
+    }
 
   private:
     template <class D>
