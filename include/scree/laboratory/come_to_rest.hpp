@@ -68,35 +68,53 @@ void stop_all(Simulation& simulation) {
   }
 }
 
-/// Steps, for `least` [s] at least, until the grains are at rest or the patience is over; calls
-/// `watch(simulation)` after every step. When forces are balanced, every grain is stopped from time to time,
-/// as those few that roll over a surface would roll for seconds. What is not in balance then starts again by
-/// itself, and is given the time to: at the default speed, what is pulled by a twentieth of its weight.
+/// Waits for grains to be at rest, step by step, or until the patience is over. When forces are balanced,
+/// every grain is stopped from time to time, as those few that roll over a surface would roll for seconds.
+/// What is not in balance then starts again by itself, and is given the time to: at the default speed, what
+/// is pulled by a twentieth of its weight.
+class ComingToRest {
+public:
+  ComingToRest() = default;
+  /// \param least s, that it takes at least
+  /// \param time s, now
+  ComingToRest(const RestCriterion& criterion, double least, double time)
+      : criterion_{criterion}, start_{time}, next_{time + least} {}
+
+  /// Whether another step is to be taken.
+  template <class Simulation>
+  bool goes_on(Simulation& simulation) {
+    constexpr double interval = 0.02, after_stop = 0.1; // s, ours
+    if (simulation.time() < next_) {
+      return true;
+    }
+    next_ = simulation.time() + interval;
+    now_ = scree::unrest(simulation, criterion_.speed);
+    if (now_.within(criterion_) || simulation.time() >= start_ + criterion_.patience) {
+      return false;
+    }
+    if (now_.unbalanced <= criterion_.unbalanced) {
+      stop_all(simulation);
+      next_ = simulation.time() + after_stop;
+    }
+    return true;
+  }
+  /// As it was seen last.
+  [[nodiscard]] const Unrest& unrest() const { return now_; }
+
+private:
+  RestCriterion criterion_{};
+  double start_ = 0.0, next_ = 0.0; // s
+  Unrest now_{};
+};
+
+/// Steps, for `least` [s] at least, until the grains are at rest or the patience is over (`ComingToRest`);
+/// calls `watch(simulation)` after every step.
 template <class Simulation, class Watch>
 Unrest come_to_rest(Simulation& simulation, const RestCriterion& criterion, double least, Watch& watch) {
-  constexpr double interval = 0.02, after_stop = 0.1; // s, ours
-  const double start = simulation.time();
-  double next = start + least;
-  Unrest now;
+  ComingToRest waiting{criterion, least, simulation.time()};
   run_while(
-      simulation,
-      [&](const auto& s) {
-        if (s.time() < next) {
-          return true;
-        }
-        next = s.time() + interval;
-        now = unrest(s, criterion.speed);
-        if (now.within(criterion) || s.time() >= start + criterion.patience) {
-          return false;
-        }
-        if (now.unbalanced <= criterion.unbalanced) {
-          stop_all(simulation);
-          next = s.time() + after_stop;
-        }
-        return true;
-      },
-      watch);
-  return now;
+      simulation, [&](const auto&) { return waiting.goes_on(simulation); }, watch);
+  return waiting.unrest();
 }
 
 /// The same under another local damping.
