@@ -9,6 +9,7 @@
 #include "scree/io/stl.hpp"
 #include "scree/laboratory/drag_rig.hpp"
 #include "scree/measure/state_hash.hpp"
+#include "support/checkpoints.hpp"
 #include "support/progress.hpp"
 #include "support/results.hpp"
 #include "support/stopwatch.hpp"
@@ -16,9 +17,13 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -55,12 +60,29 @@ Json described(const scree::BucketBody& bucket) {
           {"interior_m3", scree::volume(bucket.interior)}};
 }
 
+/// The input, but for what changes no result.
+std::string text_of(const ex::Options& options) {
+  Json input = options.json();
+  for (const char* name : {"out", "threads", "checkpoint_interval"}) {
+    input.erase(name);
+  }
+  return input.dump();
+}
+
 /// Runs the experiment and keeps summary.json up to date.
 class Run {
 public:
-  Run(drag::Parameters parameters, const ex::Options& options)
-      : p_{std::move(parameters)}, folder_{ex::results_folder(p_.out, "drag-" + p_.fidelity)} {
-    options.write_toml(folder_ / "input.toml");
+  /// \param begun the folder of a run that was begun, to go on with it; empty for a new one
+  Run(drag::Parameters parameters, const ex::Options& options, const std::filesystem::path& begun)
+      : p_{std::move(parameters)},
+        folder_{begun.empty() ? ex::results_folder(p_.out, "drag-" + p_.fidelity) : begun},
+        going_on_{!begun.empty()},
+        input_{text_of(options)},
+        checkpoints_{folder_ / "checkpoint", "a drag", p_.checkpoint_interval,
+                     [this](const std::string& complaint) { complain(complaint); }} {
+    if (!going_on_) {
+      options.write_toml(folder_ / "input.toml");
+    }
     summary_["program"] = "drag";
     summary_["finished"] = false;
     summary_["versions"] = ex::versions();
@@ -72,6 +94,11 @@ public:
   void operator()() {
     try {
       work();
+    } catch (const ex::Stopped&) {
+      summary_["stopped"] = true;
+      save();
+      progress_.close();
+      throw;
     } catch (const std::exception& error) {
       summary_["error"] = error.what();
       save();
@@ -94,9 +121,63 @@ private:
     }
     Rig rig{
         p_.dragline.setup, bucket, {.neighbours = {.share = p_.skin_share}, .step_safety = p_.step_safety}};
+    if (going_on_) {
+      go_on(rig);
+    }
     make_bed(rig);
     dig(rig);
     finish(rig);
+    checkpoints_.remove();
+  }
+
+  /// All that the rest of a run depends on.
+  template <class AnyRun, class AnyRig>
+  struct State {
+    AnyRun& run;
+    AnyRig& rig;
+
+    template <class Self, class Archive>
+    static void fields(Self& self, Archive& archive) {
+      auto& r = self.run;
+      std::string input = r.input_;
+      archive(input);
+      if constexpr (Archive::reading) {
+        if (input != r.input_) {
+          archive.fail("is of another input than that of input.toml");
+        }
+      }
+      double elapsed = r.progress_.elapsed();
+      bool recording = r.table_.has_value();
+      std::uintmax_t written = recording ? r.table_->bytes() : 0;
+      archive(elapsed, r.grain_steps_, r.sphere_steps_, r.observers_, r.output_, r.next_frame_,
+              r.next_picture_, recording, written);
+      if constexpr (Archive::reading) {
+        r.progress_.add_earlier(elapsed);
+        if (recording) {
+          r.table_.emplace(r.folder_, written);
+          r.frames_.emplace(r.folder_);
+        }
+      }
+      if (recording) {
+        archive(*r.frames_);
+      }
+      archive(self.rig);
+    }
+  };
+  void keep(const Rig& rig) { checkpoints_(State<const Run, const Rig>{*this, rig}); }
+
+  void go_on(Rig& rig) {
+    State<Run, Rig> state{*this, rig};
+    const auto remark = checkpoints_.read(state);
+    if (!remark) {
+      fmt::print("no checkpoint was written before it stopped: begins anew\n");
+      return;
+    }
+    if (!remark->empty()) {
+      fmt::print("{}: the checkpoint before is taken\n", *remark);
+    }
+    fmt::print("goes on at {:.4f} s of simulated time, step {}\n", rig.simulation().time(),
+               rig.simulation().steps());
   }
 
   void make_bed(Rig& rig) {
@@ -106,6 +187,7 @@ private:
           // A bed falls and comes to rest within a few times the fall through its depth.
           const double expected = 4.0 * std::sqrt(2.0 * p_.dragline.setup.bed_depth / 9.81);
           count(simulation);
+          keep(rig);
           progress_(bed_share * std::min(0.99, std::max(stage.share, simulation.time() / expected)),
                     fmt::format("bed: {} {} grains", stage.name, simulation.bodies().size()));
         });
@@ -127,27 +209,32 @@ private:
   }
 
   void dig(Rig& rig) {
-    const auto watch = [&](const auto& simulation) { count(simulation); };
+    const auto watch = [&](const auto& simulation) {
+      count(simulation);
+      keep(rig);
+    };
     rig.place_bucket(watch);
     summary_["placed_pitch_deg"] = drag::degrees(rig.placed_pitch());
-    drag::Table table{folder_};
-    drag::Frames frames{folder_};
-    double next_frame = 0.0, next_picture = 0.0;
-    scree::DragSample sample = rig.sample();
+    scree::DragSample sample;
     const auto record = [&] {
       const ex::Stopwatch watching{output_};
-      table.add(sample);
-      if (sample.drag >= next_frame) {
-        frames.add(rig);
-        next_frame += p_.frame_interval;
+      table_->add(sample);
+      if (sample.drag >= next_frame_) {
+        frames_->add(rig);
+        next_frame_ += p_.frame_interval;
       }
-      if (sample.drag >= next_picture - 1e-9) {
-        drag::draw_view(folder_ / fmt::format("view_{:.2f}m.png", next_picture), rig, sample);
+      if (sample.drag >= next_picture_ - 1e-9) {
+        drag::draw_view(folder_ / fmt::format("view_{:.2f}m.png", next_picture_), rig, sample);
         complain(drag::draw_plots(folder_, title()));
-        next_picture += p_.picture_interval;
+        next_picture_ += p_.picture_interval;
       }
     };
-    record();
+    if (!table_) {
+      table_.emplace(folder_);
+      frames_.emplace(folder_);
+      sample = rig.sample();
+      record();
+    }
     while (!rig.done()) {
       rig.advance(p_.sample_interval, watch);
       {
@@ -162,7 +249,7 @@ private:
     {
       const ex::Stopwatch watching{output_};
       drag::draw_view(folder_ / "view_end.png", rig, sample);
-      frames.add(rig);
+      frames_->add(rig);
     }
     summary_["end"] = {{"drag_m", sample.drag},
                        {"force_N", sample.force},
@@ -218,6 +305,12 @@ private:
 
   drag::Parameters p_;
   std::filesystem::path folder_;
+  bool going_on_;
+  std::string input_;
+  ex::Checkpoints checkpoints_;
+  std::optional<drag::Table> table_; // from when the bucket is at rest on the bed
+  std::optional<drag::Frames> frames_;
+  double next_frame_ = 0.0, next_picture_ = 0.0; // m, of drag
   Json summary_;
   ex::Progress progress_;
   double grain_steps_ = 0.0, sphere_steps_ = 0.0;
@@ -225,23 +318,67 @@ private:
   std::string last_complaint_;
 };
 
+/// The command line of a run that was begun in `folder`, and what else may be given to go on with it.
+/// \throws Error for anything else, and where nothing was begun.
+std::vector<const char*> command_of(const std::filesystem::path& folder, const std::string& input, int argc,
+                                    char** argv) {
+  std::vector<const char*> out{argv[0], "--config", input.c_str()};
+  for (int k = 1; k < argc; ++k) {
+    const std::string word = argv[k];
+    const std::string name = word.substr(0, word.find('='));
+    const bool alone = name.size() == word.size();
+    if (name == "--resume") {
+      k += alone ? 1 : 0;
+    } else if (name == "--threads" || name == "--checkpoint_interval") {
+      out.push_back(argv[k]);
+      if (alone && k + 1 < argc) {
+        out.push_back(argv[++k]);
+      }
+    } else {
+      throw scree::Error(scree::message("command line: ", word,
+                                        " cannot be given with --resume, which takes all from ", input,
+                                        "; only --threads and --checkpoint_interval can"));
+    }
+  }
+  if (!std::filesystem::exists(input)) {
+    throw scree::Error(
+        scree::message("--resume ", folder.string(), ": no drag was begun there: ", input, " is missing"));
+  }
+  return out;
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
+  std::filesystem::path folder;
   try {
-    const std::string fidelity = ex::Options::peek(argc, argv, "fidelity").value_or("desk");
+    const std::filesystem::path begun = ex::Options::peek(argc, argv, "resume").value_or("");
+    const std::string input = (begun / "input.toml").string();
+    std::vector<const char*> words{argv, argv + argc};
+    if (!begun.empty()) {
+      words = command_of(begun, input, argc, argv);
+    }
+    const auto count = static_cast<int>(words.size());
+    const std::string fidelity = ex::Options::peek(count, words.data(), "fidelity").value_or("desk");
     drag::Parameters parameters = drag::defaults(fidelity);
-    ex::Options options{"drag", "A dragline bucket on two ropes digs through a bed of crushed rock."};
+    ex::Options options{"drag", "A dragline bucket on two ropes digs through a bed of crushed rock. "
+                                "--resume FOLDER goes on with a run that was stopped."};
     drag::bind(options, parameters);
-    options.parse(argc, argv);
+    options.parse(count, words.data());
     drag::apply(parameters);
-    Run run{parameters, options};
+    const ex::StopSignals signals;
+    Run run{parameters, options, begun};
+    folder = run.folder();
     run();
-    fmt::print("results: {}\n", run.folder().string());
+    fmt::print("results: {}\n", folder.string());
     return 0;
   } catch (const ex::HelpWanted& help) {
     fmt::print("{}", help.text);
     return 0;
+  } catch (const ex::Stopped& stopped) {
+    fmt::print(stderr, "drag: stopped by {}; its state is kept. To go on: drag --resume {}\n",
+               stopped.signal == SIGINT ? "SIGINT" : "SIGTERM", folder.string());
+    return 128 + stopped.signal;
   } catch (const std::exception& error) {
     fmt::print(stderr, "drag: {}\n", error.what());
     return 2;

@@ -26,6 +26,7 @@ struct Parameters {
   double skin_share = 0.5;
   double step_safety = 0.8;
   double sample_interval = 0.01, frame_interval = 0.1, picture_interval = 0.25;
+  double checkpoint_interval = 300.0;
 };
 
 inline Parameters defaults(const std::string& fidelity) {
@@ -50,6 +51,8 @@ inline void bind(Options& options, Parameters& p) {
               "simulated, between two lines of drag.csv");
   options.add("frame_interval", p.frame_interval, {1e-4, 1e3, "m"}, "of drag, between two VTK frames");
   options.add("picture_interval", p.picture_interval, {1e-3, 1e3, "m"}, "of drag, between two pictures");
+  options.add("checkpoint_interval", p.checkpoint_interval, {0.0, 1e9, "s"},
+              "of wall time, between two checkpoints; a stopped run goes on with --resume FOLDER");
   options.add("step_safety", p.step_safety, {0.01, 1.0}, "share of the critical time step");
   options.add("skin_share", p.skin_share, {0.01, 10.0},
               "skin of the neighbour list over the smallest radius");

@@ -30,13 +30,15 @@ inline double degrees(double radians) {
 class Table {
 public:
   explicit Table(const std::filesystem::path& folder)
-      : csv_{folder / "drag.csv",
-             {"time_s", "drag_m", "force_N", "force_left_N", "force_right_N", "pitch_deg", "roll_deg",
-              "yaw_deg", "depth_m", "mass_kg", "particles", "kinetic_energy_J", "frictional_work_J",
-              "heaped_mass_kg"},
+      : csv_{folder / "drag.csv", columns(),
              "Forces are means since the row before; mass_kg lies in the closed interior of the bucket, "
              "heaped_mass_kg\n"
              "includes the heap above its rim; pitch is positive with the teeth up."} {}
+  /// Goes on behind the first `bytes` of a table that was begun.
+  Table(const std::filesystem::path& folder, std::uintmax_t bytes)
+      : csv_{scree::CsvWriter::go_on(folder / "drag.csv", columns(), bytes)} {}
+
+  [[nodiscard]] std::uintmax_t bytes() const { return csv_.bytes(); }
 
   void add(const scree::DragSample& s) {
     csv_.row({s.time, s.drag, s.force, s.force_left, s.force_right, degrees(s.attitude.pitch),
@@ -45,6 +47,12 @@ public:
   }
 
 private:
+  static std::vector<std::string> columns() {
+    return {"time_s",    "drag_m",           "force_N",           "force_left_N",  "force_right_N",
+            "pitch_deg", "roll_deg",         "yaw_deg",           "depth_m",       "mass_kg",
+            "particles", "kinetic_energy_J", "frictional_work_J", "heaped_mass_kg"};
+  }
+
   scree::CsvWriter csv_;
 };
 
@@ -87,6 +95,11 @@ public:
     series_.add(rig.simulation().time(), grains, 0);
     series_.add(rig.simulation().time(), bucket, 1);
     ++count_;
+  }
+
+  template <class Self, class Archive>
+  static void fields(Self& self, Archive& archive) {
+    archive(self.count_, self.series_);
   }
 
 private:

@@ -65,6 +65,8 @@ public:
   }
 
   [[nodiscard]] double elapsed() const { return now_() - start_; }
+  /// Counts the seconds that the same work took before, in a process that was stopped.
+  void add_earlier(double seconds) { start_ -= seconds; }
 
   /// Ends the line, so that other output starts on a new one.
   void close() {

@@ -63,11 +63,12 @@ Number taken(const std::filesystem::path& file, std::string_view& rest) {
   return number;
 }
 
+} // namespace detail
+
+/// Where the checkpoint before the one in `file` is kept.
 inline std::filesystem::path checkpoint_before(std::filesystem::path file) {
   return file += ".before";
 }
-
-} // namespace detail
 
 /// Writes a checkpoint; the one that was there stays as `file` plus ".before".
 /// \param kind what it is of, one line, which the reader must name too
@@ -85,7 +86,7 @@ inline void write_checkpoint(const std::filesystem::path& file, std::string_view
   write_atomically(fresh, text, Durable::yes);
   std::error_code failure;
   if (std::filesystem::exists(file)) {
-    std::filesystem::rename(file, detail::checkpoint_before(file), failure);
+    std::filesystem::rename(file, checkpoint_before(file), failure);
   }
   if (!failure) {
     std::filesystem::rename(fresh, file, failure);
@@ -131,7 +132,7 @@ inline std::string read_one_checkpoint(const std::filesystem::path& file, std::s
 /// \throws Error with the reason of each where there is none.
 inline Checkpoint read_checkpoint(const std::filesystem::path& file, std::string_view kind) {
   std::string reasons;
-  for (const auto& candidate : {file, detail::checkpoint_before(file)}) {
+  for (const auto& candidate : {file, checkpoint_before(file)}) {
     try {
       return {read_one_checkpoint(candidate, kind), candidate, reasons};
     } catch (const Error& error) {

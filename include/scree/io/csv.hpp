@@ -10,12 +10,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <initializer_list>
 #include <span>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -49,6 +51,24 @@ public:
     put(head.append("\n"));
   }
 
+  /// Goes on with a table that this class wrote, behind its first `bytes` bytes: what follows them is cut
+  /// off. \param columns as the table has them \throws Error naming the file, where it has fewer bytes.
+  static CsvWriter go_on(std::filesystem::path file, std::vector<std::string> columns, std::uintmax_t bytes) {
+    std::error_code failure;
+    const std::uintmax_t size = std::filesystem::file_size(file, failure);
+    if (!failure && size < bytes) {
+      throw Error(message(file.string(), ": has ", size, " bytes, fewer than the ", bytes,
+                          " that were written before"));
+    }
+    if (!failure) {
+      std::filesystem::resize_file(file, bytes, failure);
+    }
+    if (failure) {
+      throw Error(message(file.string(), ": cannot be gone on with: ", failure.message()));
+    }
+    return CsvWriter{std::move(file), std::move(columns), Append{}};
+  }
+
   /// Appends one row of finite numbers, one per column.
   /// \throws Error naming the file, and the column of a number that is not finite; nothing is written then.
   void row(std::span<const double> values) {
@@ -71,10 +91,23 @@ public:
     row(std::span<const double>{values.begin(), values.size()});
   }
 
+  /// Written by this object.
   [[nodiscard]] std::size_t rows() const { return rows_; }
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
+  /// That the file has by now.
+  [[nodiscard]] std::uintmax_t bytes() const { return std::filesystem::file_size(file_); }
 
 private:
+  struct Append {};
+  CsvWriter(std::filesystem::path file, std::vector<std::string> columns, Append)
+      : file_{std::move(file)}, columns_{std::move(columns)} {
+    check_columns();
+    out_.open(file_, std::ios::binary | std::ios::app);
+    if (!out_) {
+      throw Error(message(file_.string(), ": cannot be opened for writing"));
+    }
+  }
+
   void check_columns() const {
     if (columns_.empty()) {
       throw Error(message(file_.string(), ": a table needs a column"));

@@ -211,6 +211,15 @@ public:
     write();
   }
 
+  /// Its list, to go on with after it was read into another series of the same file.
+  template <class Self, class Archive>
+  static void fields(Self& self, Archive& archive) {
+    archive(self.entries_);
+    if constexpr (Archive::reading) {
+      self.write();
+    }
+  }
+
 private:
   void write() const {
     write_atomically(

@@ -1,0 +1,90 @@
+#!/bin/bash
+# interrupted_drag.sh PROGRAM FOLDER killed|told|full|read_only [TIMES]
+# A drag that is interrupted and gone on with ends in the same files as one that is left alone. Interrupted: by
+# SIGKILL at random moments, by SIGTERM, by a disk that is full, by a disk that can only be read. Returns 77
+# where no small disk can be had for the last two.
+set -u
+program=$1 folder=$2 how=$3 times=${4:-50}
+options=(--threads 1 --rock.size_factor 3 --bed.length 0.8 --bed.width 0.4 --bed.depth 0.2 --bed.unbalanced 0.3
+  --rig.bucket_start 0.1 --rig.drag_distance 0.12 --frame_interval 0.03 --picture_interval 0.06)
+checkpoints=(--checkpoint_interval 0.03)
+disk=$folder/disk run=$folder/disk/run
+
+fail() {
+  echo "FAILED: $*" >&2
+  cat "$folder/log" >&2
+  exit 1
+}
+clean() { mountpoint -q "$disk" && umount "$disk"; }
+trap clean EXIT
+clean
+rm -rf "$folder" && mkdir -p "$disk" || exit 1
+
+"$program" "${options[@]}" --out "$folder/whole" >"$folder/log" 2>&1 || fail "the run that is left alone"
+
+# Goes on, or begins, and returns the program's status.
+go() {
+  if [ -e "$run/input.toml" ]; then
+    "$program" --resume "$run" "${checkpoints[@]}" >"$folder/log" 2>&1
+  else
+    rm -rf "$run"
+    "$program" "${options[@]}" "${checkpoints[@]}" --out "$run" >"$folder/log" 2>&1
+  fi
+}
+
+RANDOM=7 # a seed: the moments are as good as random all the same
+case $how in
+killed | told)
+  signal=KILL
+  [ "$how" = told ] && signal=TERM
+  count=0
+  while [ "$count" -lt "$times" ]; do
+    go &
+    job=$!
+    sleep "0.$((RANDOM % 40 + 12))"
+    pkill -"$signal" -P "$job" 2>/dev/null || break # it has come to its end
+    wait "$job" 2>/dev/null
+    status=$?
+    if [ "$how" = told ] && [ "$status" -ne 0 ]; then
+      [ "$status" -eq 143 ] && grep -q -- "--resume $run" "$folder/log" || fail "told to stop, it ended with $status"
+    fi
+    count=$((count + 1))
+  done
+  echo "interrupted $count times"
+  [ "$count" -ge 3 ] || fail "came to its end before it was interrupted three times"
+  wait
+  ;;
+full)
+  mount -t tmpfs -o size=300k none "$disk" 2>/dev/null || exit 77
+  for size in 600k 1m 2m 3m; do
+    go && fail "wrote everything to a disk of less than $size"
+    mount -o "remount,size=$size" "$disk"
+  done
+  mount -o remount,size=500m "$disk"
+  ;;
+read_only)
+  mount -t tmpfs -o size=500m none "$disk" 2>/dev/null || exit 77
+  for k in 1 2 3; do
+    go &
+    job=$!
+    sleep "0.$((RANDOM % 40 + 30))"
+    mount -o remount,ro "$disk" 2>/dev/null || { # a file is open for writing: cut it off from its disk
+      pkill -KILL -P "$job"
+      mount -o remount,ro "$disk"
+    }
+    wait "$job" 2>/dev/null
+    go && fail "went on on a disk that can only be read"
+    mount -o remount,rw "$disk"
+  done
+  ;;
+esac
+
+[ -e "$run/summary.json" ] && grep -q '"finished": true' "$run/summary.json" || go || fail "did not come to its end"
+for file in $(cd "$folder/whole" && find . -type f ! -name summary.json ! -name input.toml); do
+  cmp "$folder/whole/$file" "$run/$file" || fail "$file is another"
+done
+left=$(cd "$run" && find . -type f | sort) right=$(cd "$folder/whole" && find . -type f | sort)
+[ "$left" = "$right" ] || fail "other files: $left"
+hash() { grep state_hash "$1/summary.json"; }
+[ -n "$(hash "$run")" ] && [ "$(hash "$run")" = "$(hash "$folder/whole")" ] || fail "another state"
+rm -rf "$folder/whole"
