@@ -9,6 +9,7 @@
 #include "scree/io/stl.hpp"
 #include "scree/laboratory/drag_rig.hpp"
 #include "scree/measure/state_hash.hpp"
+#include "scree/measure/watchdog.hpp"
 #include "support/checkpoints.hpp"
 #include "support/progress.hpp"
 #include "support/results.hpp"
@@ -79,7 +80,8 @@ public:
         going_on_{!begun.empty()},
         input_{text_of(options)},
         checkpoints_{folder_ / "checkpoint", "a drag", p_.checkpoint_interval,
-                     [this](const std::string& complaint) { complain(complaint); }} {
+                     [this](const std::string& complaint) { complain(complaint); }},
+        watch_{p_.bounds} {
     if (!going_on_) {
       options.write_toml(folder_ / "input.toml");
     }
@@ -124,10 +126,27 @@ private:
     if (going_on_) {
       go_on(rig);
     }
-    make_bed(rig);
-    dig(rig);
+    try {
+      make_bed(rig);
+      dig(rig);
+    } catch (const scree::Trouble&) {
+      show_trouble(rig);
+      throw;
+    }
     finish(rig);
     checkpoints_.remove();
+  }
+
+  /// What is needed to look for the cause of an error, as far as it can be written.
+  void show_trouble(const Rig& rig) {
+    try {
+      drag::write_grains(folder_ / "trouble.vtp", rig.simulation().bodies());
+      checkpoints_.keep_aside(State<const Run, const Rig>{*this, rig}, folder_ / "trouble.checkpoint");
+      complain(fmt::format("the grains at that moment are in {}, the whole state in {}",
+                           (folder_ / "trouble.vtp").string(), (folder_ / "trouble.checkpoint").string()));
+    } catch (const scree::Error& error) {
+      complain(error.what());
+    }
   }
 
   /// All that the rest of a run depends on.
@@ -150,7 +169,7 @@ private:
       bool recording = r.table_.has_value();
       std::uintmax_t written = recording ? r.table_->bytes() : 0;
       archive(elapsed, r.grain_steps_, r.sphere_steps_, r.observers_, r.output_, r.next_frame_,
-              r.next_picture_, recording, written);
+              r.next_picture_, r.watch_, recording, written);
       if constexpr (Archive::reading) {
         r.progress_.add_earlier(elapsed);
         if (recording) {
@@ -187,6 +206,7 @@ private:
           // A bed falls and comes to rest within a few times the fall through its depth.
           const double expected = 4.0 * std::sqrt(2.0 * p_.dragline.setup.bed_depth / 9.81);
           count(simulation);
+          watch_(simulation);
           keep(rig);
           progress_(bed_share * std::min(0.99, std::max(stage.share, simulation.time() / expected)),
                     fmt::format("bed: {} {} grains", stage.name, simulation.bodies().size()));
@@ -211,6 +231,7 @@ private:
   void dig(Rig& rig) {
     const auto watch = [&](const auto& simulation) {
       count(simulation);
+      watch_(simulation);
       keep(rig);
     };
     rig.place_bucket(watch);
@@ -276,6 +297,7 @@ private:
                                {"observers", observers_ / all},
                                {"output", output_ / all},
                                {"other", 1.0 - (stepping + observers_ + output_) / all}};
+    summary_["largest_overlap_over_radius"] = watch_.largest_overlap();
     summary_["list_renewals"] = rig.simulation().list_renewals();
     summary_["state_hash"] = fmt::format("{:016x}", scree::state_hash(rig.simulation().bodies()));
     summary_["finished"] = true;
@@ -308,6 +330,7 @@ private:
   bool going_on_;
   std::string input_;
   ex::Checkpoints checkpoints_;
+  scree::Watchdog watch_;
   std::optional<drag::Table> table_; // from when the bucket is at rest on the bed
   std::optional<drag::Frames> frames_;
   double next_frame_ = 0.0, next_picture_ = 0.0; // m, of drag

@@ -3,6 +3,7 @@
 /// Every number of the drag program.
 
 #include "laboratory/dragline.hpp"
+#include "scree/measure/watchdog.hpp"
 #include "support/options.hpp"
 #include "support/rock_options.hpp"
 
@@ -27,6 +28,7 @@ struct Parameters {
   double step_safety = 0.8;
   double sample_interval = 0.01, frame_interval = 0.1, picture_interval = 0.25;
   double checkpoint_interval = 300.0;
+  scree::SaneBounds bounds; // the domain is that of the trough
 };
 
 inline Parameters defaults(const std::string& fidelity) {
@@ -57,6 +59,15 @@ inline void bind(Options& options, Parameters& p) {
   options.add("skin_share", p.skin_share, {0.01, 10.0},
               "skin of the neighbour list over the smallest radius");
 
+  options.group("Watch: what ends a run that has gone wrong");
+  options.add("watch.overlap", p.bounds.overlap, {1e-6, 10.0},
+              "of a contact, over the radius of the smallest sphere in it, at most");
+  options.add("watch.speed", p.bounds.speed, {1e-6, 1e9, "m/s"}, "of a grain, at most");
+  options.add("watch.rope_strain", p.bounds.rope_strain, {1e-6, 10.0},
+              "stretch of a rope over its length, at most");
+  options.add("watch.rope_slack", p.bounds.rope_slack, {1e-6, 1e9, "m"},
+              "by which a rope hangs through, at most");
+
   p.rock.bind(options);
   options.add("rock.local_damping", s.local_damping, {0.0, 0.99}, "non-viscous, while the bucket digs");
 
@@ -74,6 +85,11 @@ inline void apply(Parameters& p) {
   p.dragline.setup.size_factor = p.rock.size_factor();
   p.dragline.setup.stiffness = p.rock.stiffness();
   p.dragline.setup.mass_convention = p.rock.mass_convention();
+  // What is poured stands high above the trough; what is beside or below it has slipped through.
+  const scree::DragSetup& s = p.dragline.setup;
+  const double gap = 0.1 * s.bed_depth;
+  p.bounds.domain = {scree::Vector{-gap, -0.5 * s.bed_width - gap, -s.bed_depth - gap},
+                     scree::Vector{s.bed_length + gap, 0.5 * s.bed_width + gap, 100.0 * s.bed_depth}};
 }
 
 } // namespace drag

@@ -67,6 +67,12 @@ public:
     return found.remark;
   }
 
+  /// Keeps the state under another name, for those who look for what went wrong.
+  template <class State>
+  void keep_aside(const State& state, const std::filesystem::path& file) const {
+    write(state, file);
+  }
+
   /// Of a run that has come to its end.
   void remove() const {
     std::error_code ignored;
@@ -79,9 +85,13 @@ private:
 
   template <class State>
   void write(const State& state) const {
+    write(state, file_);
+  }
+  template <class State>
+  void write(const State& state, const std::filesystem::path& file) const {
     ArchiveWriter writer;
     writer(state);
-    write_checkpoint(file_, kind_, writer.bytes());
+    write_checkpoint(file, kind_, writer.bytes());
   }
 
   std::filesystem::path file_;

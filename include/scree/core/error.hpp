@@ -18,6 +18,12 @@ public:
   using std::runtime_error::runtime_error;
 };
 
+/// Thrown where a simulation has gone wrong on the way: its state is worth a look.
+class Trouble : public Error {
+public:
+  using Error::Error;
+};
+
 /// Joins its arguments into a message, numbers with up to 10 significant digits.
 template <class... Parts>
 std::string message(const Parts&... parts) {

@@ -46,7 +46,7 @@ public:
   explicit Watchdog(SaneBounds bounds = {}) : bounds_{std::move(bounds)} { bounds_.check(); }
 
   /// Looks where a look is due.
-  /// \throws Error as `look` does.
+  /// \throws Trouble as `look` does.
   template <class Simulation>
   void operator()(const Simulation& simulation) {
     if (simulation.steps() % bounds_.interval == 0) {
@@ -54,7 +54,7 @@ public:
     }
   }
 
-  /// \throws Error that names what is wrong with which body, wall or rope, when, and what may have caused it.
+  /// \throws Trouble that names what is wrong with which body, wall or rope, when, and what may have caused it.
   template <class Simulation>
   void look(const Simulation& simulation) {
     look_at_grains(simulation);
@@ -67,13 +67,20 @@ public:
   /// The largest seen so far, over the radius of the smallest sphere in the contact.
   [[nodiscard]] double largest_overlap() const { return largest_overlap_; }
 
+  /// What it has seen (core/archive.hpp).
+  template <class Self, class Archive>
+  static void fields(Self& self, Archive& archive) {
+    archive(self.largest_overlap_);
+  }
+
 private:
   template <class Simulation, class... What>
   [[noreturn]] static void report(const Simulation& simulation, const char* cause, const What&... what) {
     // What goes wrong at once was wrong from the start.
     constexpr std::size_t at_once = 1000; // steps, ours
-    throw Error(message(what..., " at t = ", simulation.time(), " s (step ", simulation.steps(), "). Likely ",
-                        simulation.steps() <= at_once ? "grains that overlap at the start, or " : "", cause));
+    throw Trouble(
+        message(what..., " at t = ", simulation.time(), " s (step ", simulation.steps(), "). Likely ",
+                simulation.steps() <= at_once ? "grains that overlap at the start, or " : "", cause));
   }
 
   template <class Simulation>

@@ -231,8 +231,8 @@ private:
     for (std::size_t b = 0; b < bodies.size(); ++b) {
       // Beyond this a cell number would overflow; nothing that scree is for is that large.
       if (const Vector x = bodies.position(b); !(x.cwiseAbs().maxCoeff() < 1e9)) {
-        throw Error(message("body ", bodies.id(b), " has left the domain at t = ", time, " s: position (",
-                            x.x(), ", ", x.y(), ", ", x.z(), ") m"));
+        throw Trouble(message("body ", bodies.id(b), " has left the domain at t = ", time, " s: position (",
+                              x.x(), ", ", x.y(), ", ", x.z(), ") m"));
       }
     }
   }

@@ -11,7 +11,7 @@
 namespace scree::detail {
 
 /// Names the body that is worst off, at `time` [s].
-/// \throws Error always.
+/// \throws Trouble always.
 template <class Real>
 [[noreturn]] void report_runaway(const Bodies<Real>& bodies, double time) {
   std::size_t worst = 0;
@@ -27,9 +27,9 @@ template <class Real>
       }
     }
   }
-  throw Error(message("body ", bodies.id(worst),
-                      " has a velocity that is not a number or beyond all bounds at t = ", time,
-                      " s: a time step too long, an initial overlap or a stiffness out of proportion"));
+  throw Trouble(message("body ", bodies.id(worst),
+                        " has a velocity that is not a number or beyond all bounds at t = ", time,
+                        " s: a time step too long, an initial overlap or a stiffness out of proportion"));
 }
 
 } // namespace scree::detail
