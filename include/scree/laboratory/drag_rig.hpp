@@ -1,8 +1,9 @@
 #pragma once
 /// \file
-/// The dragline experiment: a bed of rock, a bucket, two ropes and a winch.
+/// The dragline experiment: a bed of rock, a bucket, and what hauls it.
 
 #include "scree/geometry/mesh_measures.hpp"
+#include "scree/laboratory/bucket_haul.hpp"
 #include "scree/laboratory/drag_setup.hpp"
 #include "scree/measure/attitude.hpp"
 #include "scree/measure/bucket_fill.hpp"
@@ -10,7 +11,6 @@
 #include "scree/measure/surface_height.hpp"
 #include "scree/simulation/simulation.hpp"
 
-#include <array>
 #include <cstddef>
 #include <utility>
 
@@ -21,9 +21,10 @@ struct DragSample {
   double time = 0.0;        ///< s, since the winch started
   double drag = 0.0;        ///< m, of the bucket's centre of gravity along the bed
   double wound = 0.0;       ///< m, of rope wound in, each, since the winch started
-  double force = 0.0;       ///< N, of both ropes, mean since the sample before
-  double force_left = 0.0;  ///< N
+  double force = 0.0;       ///< N, of what hauls the bucket, mean since the sample before
+  double force_left = 0.0;  ///< N, of the left rope
   double force_right = 0.0; ///< N
+  double lift = 0.0;        ///< N, upwards, of what hauls the bucket, likewise; 0 in the first sample
   Attitude attitude{};      ///< rad; the pitch from where the bucket had come to rest [paper, section 7]
   double depth = 0.0;       ///< m, of the centre of gravity, normal to the bed, below its place at the start
   BucketFill fill{};
@@ -38,17 +39,20 @@ struct DragSample {
 ///     rig.make_bed(assembly, watch);
 ///     rig.place_bucket(watch);
 ///     while (!rig.done()) { rig.advance(0.01, watch); use(rig.sample()); }
-template <class Model>
+///
+/// \tparam Haul what moves the bucket (bucket_haul.hpp)
+template <class Model, class Haul = RopeHaul>
 class DragRig {
 public:
   using Sim = Simulation<Model>;
 
   /// \throws Error for a parameter out of range.
-  DragRig(const DragSetup& setup, BucketBody bucket, Setup<Model> physics = {})
+  explicit DragRig(const DragSetup& setup, BucketBody bucket, Setup<Model> physics = {}, Haul haul = {})
       : setup_{setup},
         bucket_{std::move(bucket)},
         box_{bounding_box(bucket_.surface)},
         gauge_{bucket_.interior, box_.sizes().z()},
+        haul_{std::move(haul)},
         simulation_{physics_of(setup, std::move(physics))},
         random_{setup.seed, "bed"} {
     check();
@@ -67,30 +71,17 @@ public:
   }
 
   /// Lays the bucket with its floor flat on the mean surface of the bed, so that teeth that lean below the
-  /// floor are in the rock, and takes away the grains that are where the bucket is. Hitches the ropes taut
-  /// and lets it come to rest. `watch(simulation)` is called after every step.
+  /// floor are in the rock, and takes away the grains that are where the bucket is. Hitches the ropes taut,
+  /// where there are any, and lets it come to rest. `watch(simulation)` is called after every step.
   template <class Watch>
   void place_bucket(Watch watch) {
     WallMotion motion;
     motion.position = {setup_.bucket_start - box_.min().x(), 0.0, surface_below_bucket()};
     clear_of_bucket(motion);
     winch_start_ = simulation_.time() + setup_.placing_time;
-    std::vector<Rope> ropes;
-    const std::array<const char*, 2> names{"left", "right"};
-    for (std::size_t k = 0; k < 2; ++k) {
-      const Vector hitch = motion.to_space(bucket_.hitches[k]);
-      ropes.push_back(
-          {.name = names[k],
-           .hitch = bucket_.hitches[k],
-           .winch = {hitch.x() + setup_.winch_distance, hitch.y(), setup_.winch_height},
-           .stiffness = setup_.rope_stiffness,
-           .damping = setup_.rope_damping,
-           // The rope hangs loose while the bucket sinks to its rest, and is hauled taut at the start.
-           .wound = [this](double time) { return setup_.wound(time - winch_start_); }});
-    }
     wall_ = simulation_.add_wall({.name = "bucket",
                                   .surfaces = {{bucket_.surface, steel_}},
-                                  .dynamics = RopeCoupled{bucket_.body, std::move(ropes)},
+                                  .dynamics = haul_.laid(setup_, bucket_, motion, winch_start_),
                                   .motion = motion});
     placed_ = true;
     run_for(simulation_, setup_.placing_time, watch);
@@ -99,6 +90,7 @@ public:
     lost_at_start_ = simulation_.dissipation().friction;
     last_sample_ = simulation_.time();
     next_removal_ = setup_.removal_interval;
+    haul_.begin(simulation_, wall_, setup_, bucket_);
   }
 
   /// Steps for about `interval` [s] of simulated time, at least one step.
@@ -107,9 +99,7 @@ public:
     const double end = simulation_.time() + interval;
     do {
       simulation_.step();
-      for (std::size_t k = 0; k < 2; ++k) {
-        pulled_[k] += ropes()[k].tension * simulation_.time_step();
-      }
+      haul_.observe(simulation_, simulation_.time_step());
       watch(simulation_);
     } while (simulation_.time() < end);
     if (setup_.remove_behind && drag() >= next_removal_) {
@@ -126,20 +116,18 @@ public:
     s.time = simulation_.time() - winch_start_;
     s.drag = drag();
     s.wound = setup_.wound(s.time);
-    const double span = simulation_.time() - last_sample_;
-    const auto mean = [&](std::size_t k) { return span > 0.0 ? pulled_[k] / span : ropes()[k].tension; };
-    s.force_left = mean(0);
-    s.force_right = mean(1);
-    s.force = s.force_left + s.force_right;
-    pulled_ = {};
+    const HaulForce pull = haul_.take(simulation_, simulation_.time() - last_sample_);
+    s.force = pull.total;
+    s.force_left = pull.left;
+    s.force_right = pull.right;
+    s.lift = pull.lift;
     last_sample_ = simulation_.time();
     s.attitude = attitude(motion.orientation);
     s.attitude.pitch -= placed_pitch_;
     s.depth = start_.z() - centre().z();
     s.fill = gauge_(simulation_.bodies(), motion);
     s.bodies = simulation_.bodies().size();
-    s.kinetic_energy = kinetic_energy(simulation_.bodies()) +
-                       simulation_.template dynamics<RopeCoupled>(wall_).kinetic_energy();
+    s.kinetic_energy = kinetic_energy(simulation_.bodies()) + haul_.kinetic_energy(simulation_);
     s.frictional_work = simulation_.dissipation().friction - lost_at_start_;
     return s;
   }
@@ -156,9 +144,8 @@ public:
   [[nodiscard]] const BucketBody& bucket() const { return bucket_; }
   [[nodiscard]] const BedReport& bed_report() const { return report_; }
   [[nodiscard]] const WallMotion& bucket_motion() const { return simulation_.wall(wall_).motion; }
-  [[nodiscard]] const std::vector<Rope>& ropes() const {
-    return simulation_.template dynamics<RopeCoupled>(wall_).ropes();
-  }
+  /// Of a bucket that hangs on ropes.
+  [[nodiscard]] const std::vector<Rope>& ropes() const { return haul_.ropes(simulation_); }
 
 private:
   static Setup<Model> physics_of(const DragSetup& setup, Setup<Model> physics) {
@@ -173,7 +160,6 @@ private:
     require_positive("drag_speed", setup_.drag_speed, "m/s");
     require_positive("drag_distance", setup_.drag_distance, "m");
     require_positive("ramp", setup_.ramp, "s");
-    require_positive("winch_distance", setup_.winch_distance, "m");
     require_positive("removal_interval", setup_.removal_interval, "m");
     require_positive("removal_distance", setup_.removal_distance, "bucket lengths");
     require("placing_time", setup_.placing_time, {0.0, 1e3, "s"});
@@ -188,10 +174,7 @@ private:
       throw Error(message("bed_width = ", setup_.bed_width, " m is narrower than the bucket, ",
                           box_.sizes().y(), " m"));
     }
-    if (setup_.winch_distance < setup_.drag_distance * 1.05) {
-      throw Error(message("winch_distance = ", setup_.winch_distance, " m must exceed the drag distance ",
-                          setup_.drag_distance, " m by 5 % or more"));
-    }
+    haul_.check(setup_);
   }
 
   [[nodiscard]] Vector centre() const { return simulation_.wall(wall_).motion.to_space(bucket_.body.centre); }
@@ -262,6 +245,7 @@ private:
   BucketBody bucket_;
   Eigen::AlignedBox3d box_;
   BucketGauge gauge_;
+  Haul haul_;
   Sim simulation_;
   Random random_;
   MaterialId rock_ = 0, steel_ = 0;
@@ -271,7 +255,6 @@ private:
   double winch_start_ = 0.0, last_sample_ = 0.0, next_removal_ = 0.0, lost_at_start_ = 0.0;
   double placed_pitch_ = 0.0;
   Vector start_ = Vector::Zero();
-  std::array<double, 2> pulled_{};
 };
 
 } // namespace scree

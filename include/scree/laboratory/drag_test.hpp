@@ -37,7 +37,9 @@ struct DragTestResult {
 ///
 ///     scree::DragTest<> test{setup};
 ///     const auto pieces = scree::pieces_of(test.run().rows, setup.rig.drag_distance, 4);
-template <class Model = DefaultModel>
+///
+/// \tparam Haul what moves the bucket (bucket_haul.hpp)
+template <class Model = DefaultModel, class Haul = RopeHaul>
 class DragTest {
 public:
   using Sim = Simulation<Model>;
@@ -45,9 +47,9 @@ public:
   using Result = DragTestResult;
 
   /// \throws Error for a parameter out of its range.
-  explicit DragTest(DragTestSetup setup, Setup<Model> physics = {})
+  explicit DragTest(DragTestSetup setup, Setup<Model> physics = {}, Haul haul = {})
       : setup_{checked(std::move(setup))},
-        rig_{rig_of(setup_), setup_.gear.applied_to(setup_.bucket), std::move(physics)} {}
+        rig_{rig_of(setup_), setup_.gear.applied_to(setup_.bucket), std::move(physics), std::move(haul)} {}
 
   /// Once. `watch(simulation, Stage)` is called after every step.
   /// \throws Error as DragRig does.
@@ -77,7 +79,7 @@ public:
 
   [[nodiscard]] const DragTestSetup& setup() const { return setup_; }
   [[nodiscard]] const DragTestResult& result() const { return result_; }
-  [[nodiscard]] const DragRig<Model>& rig() const { return rig_; }
+  [[nodiscard]] const DragRig<Model, Haul>& rig() const { return rig_; }
   [[nodiscard]] const Sim& simulation() const { return rig_.simulation(); }
 
 private:
@@ -109,7 +111,7 @@ private:
 
   DragTestSetup setup_;
   RunsOnce once_;
-  DragRig<Model> rig_;
+  DragRig<Model, Haul> rig_;
   DragTestResult result_;
 };
 

@@ -23,4 +23,11 @@ inline Attitude attitude(const Quaternion& orientation) {
           std::atan2(ahead.y(), ahead.x())};
 }
 
+/// The orientation that has these angles, with a pitch within a right angle of the level.
+inline Quaternion orientation(const Attitude& angles) {
+  return Quaternion{Eigen::AngleAxisd{angles.yaw, Vector::UnitZ()} *
+                    Eigen::AngleAxisd{-angles.pitch, Vector::UnitY()} *
+                    Eigen::AngleAxisd{angles.roll, Vector::UnitX()}};
+}
+
 } // namespace scree

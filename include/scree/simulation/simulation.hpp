@@ -149,6 +149,14 @@ public:
   }
   /// Gives body `b` another motion; `w` in space.
   void set_motion(std::size_t b, const Vector& v, const Vector& w) { bodies_.set_motion(b, v, w); }
+  /// Hands wall `w` over to other dynamics, from where it is now on.
+  void set_dynamics(std::size_t w, AnyDynamics dynamics) {
+    walls_.at(w).dynamics = std::move(dynamics);
+    limit_known_ = false;
+    if (started_) {
+      start_wall(walls_[w]);
+    }
+  }
   void set_gravity(const Vector& gravity) { setup_.gravity = gravity; }
   /// \throws Error outside [0, 0.999].
   void set_local_damping(double alpha) {
