@@ -72,6 +72,9 @@ public:
   [[nodiscard]] MassConvention mass_convention() const { return parse_mass_convention(mass_convention_); }
   void set_mass_convention(MassConvention convention) { mass_convention_ = to_string(convention); }
   [[nodiscard]] double size_factor() const { return size_factor_; }
+  void set_size_factor(double factor) { size_factor_ = factor; }
+  /// N/m, of both springs.
+  void set_spring(double constant) { given_.rock.normal_stiffness = given_.rock.shear_stiffness = constant; }
   [[nodiscard]] const Material& material() const { return given_.rock; }
 
   /// \throws Error for shares or sieves that make no distribution.

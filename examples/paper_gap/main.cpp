@@ -1,0 +1,223 @@
+/// \brief What carries the factor of three between the paper's simulated and its measured drag force (Coetzee et al. 2010, section 7).
+/// \smoke --experiments replay --replicates 2 --rock.size_factor 3 --bed.length 0.8 --bed.width 0.4 --bed.depth 0.2 --bed.unbalanced 0.3 --rig.bucket_start 0.1 --rig.drag_distance 0.06
+
+#include "findings.hpp"
+#include "report.hpp"
+#include "runs.hpp"
+
+#include "scree/io/atomic_file.hpp"
+#include "scree/io/number_text.hpp"
+#include "scree/io/read_text.hpp"
+#include "scree/laboratory/campaign.hpp"
+#include "support/crew.hpp"
+#include "support/options.hpp"
+#include "support/progress.hpp"
+#include "support/results.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace scree;
+namespace ex = scree::examples;
+using Json = nlohmann::ordered_json;
+
+struct Wish {
+  std::string out, experiments = "all", fidelity = "desk";
+  bool resume = false;
+  std::uint64_t replicates = 3, seed = 1, workers = 0;
+};
+
+class Work {
+public:
+  Work(Wish wish, const ex::Options& options, paper_gap::Base base, ex::CrewOfProgram& crew)
+      : wish_{std::move(wish)},
+        base_{std::move(base)},
+        folders_{crew.folders(wish_.out, "paper_gap", wish_.resume)},
+        campaign_{folders_.common / "runs", static_cast<unsigned>(wish_.workers), crew.crew()} {
+    if (crew.first()) {
+      progress_.emplace();
+    }
+    options.write_toml(folders_.own / "input.toml");
+    paper_gap::Base shared = base_;
+    ex::Options key{"paper_gap", ""};
+    shared.bind(key);
+    key_ = message("scree ", SCREE_VERSION, " paper_gap ", key.json().dump());
+    head_["program"] = "paper_gap";
+    head_["finished"] = false;
+    head_["versions"] = ex::versions();
+    head_["input"] = options.json();
+    head_["defaults_not_in_the_paper"] = options.not_in_the_paper();
+    ex::write_json(folders_.own / "summary.json", head_);
+  }
+
+  /// One replicate of all after another, and a report after each, so that there is always one to read.
+  void operator()() {
+    const std::vector<Planned> plan = planned();
+    expected_ = plan.size() * wish_.replicates + (wanted("design") ? 2 : 0);
+    dense_density_ = wanted("design") ? dense_density() : 1.0;
+    for (std::uint64_t k = 0; k < wish_.replicates; ++k) {
+      do_replicate(plan, wish_.seed + k);
+      head_["finished"] = k + 1 == wish_.replicates;
+      report(plan.size() * wish_.replicates);
+    }
+    if (progress_) {
+      progress_->close();
+    }
+    fmt::print("results: {}\n", folders_.own.string());
+  }
+
+private:
+  /// A run but for its seed.
+  struct Planned {
+    paper_gap::Levels levels;
+    paper_gap::Motion motion;
+    std::size_t run;
+    bool in_design;
+  };
+
+  [[nodiscard]] bool wanted(const char* what) const {
+    return wish_.experiments == "all" || wish_.experiments == what;
+  }
+
+  /// The replayed paths first; the free bucket among them is the first run of the design.
+  [[nodiscard]] std::vector<Planned> planned() const {
+    const std::vector<paper_gap::Levels> design = paper_gap::design();
+    std::vector<Planned> out;
+    for (const paper_gap::Motion motion : paper_gap::motions) {
+      if (wanted("replay") || motion == paper_gap::Motion::free) {
+        out.push_back({design.front(), motion, 0, motion == paper_gap::Motion::free});
+      }
+    }
+    for (std::size_t r = 1; r < design.size() && wanted("design"); ++r) {
+      out.push_back({design[r], paper_gap::Motion::free, r, true});
+    }
+    return out;
+  }
+
+  std::vector<JobOutcome> run(const std::vector<Job>& jobs) {
+    const std::size_t before = done_;
+    return campaign_.run(jobs, [&](std::size_t done, std::size_t, const JobOutcome& last) {
+      done_ = before + done;
+      kept_ += last.kept ? 1 : 0;
+      failed_ += last.failure.empty() ? 0 : 1;
+      if (progress_) {
+        // Those kept from before took no time, and tell nothing of what is left.
+        const double share =
+            done_ == expected_ ? 1.0
+                               : static_cast<double>(done_ - kept_) / static_cast<double>(expected_ - kept_);
+        (*progress_)(share,
+                     fmt::format("{} runs of {}, {} of them kept from before, {} failed", done_, expected_,
+                                 kept_, failed_),
+                     !last.kept);
+      }
+    });
+  }
+
+  /// Of particles, for a dense bed of the bulk density of a loose one: both weighed once, by the first seed.
+  double dense_density() {
+    std::vector<Job> jobs;
+    for (const bool dense : {false, true}) {
+      jobs.push_back({message(key_, dense ? " dense" : " loose", " bed alone, seed=", wish_.seed),
+                      [this, dense] { return std::vector<double>{bulk_density(base_, dense, wish_.seed)}; }});
+    }
+    const std::vector<JobOutcome> beds = run(jobs);
+    for (const JobOutcome& bed : beds) {
+      if (!bed.failure.empty()) {
+        throw Error(message("bed alone: ", bed.failure));
+      }
+    }
+    return beds[0].values.at(0) / beds[1].values.at(0);
+  }
+
+  void do_replicate(const std::vector<Planned>& plan, std::uint64_t seed) {
+    std::vector<Job> jobs;
+    for (const Planned& p : plan) {
+      const paper_gap::Case one{p.levels, p.motion, seed};
+      std::string key =
+          message(key_, " dense=", number_text(dense_density_), " motion=", static_cast<int>(p.motion));
+      for (const int level : p.levels) {
+        key += level > 0 ? " +" : " -";
+      }
+      jobs.push_back({message(key, " seed=", seed),
+                      [this, one] { return paper_gap::dragged(base_, one, dense_density_).values(); }});
+    }
+    const std::vector<JobOutcome> outcomes = run(jobs);
+    for (std::size_t k = 0; k < plan.size(); ++k) {
+      runs_.push_back({.of = {plan[k].levels, plan[k].motion, seed},
+                       .run = plan[k].run,
+                       .in_design = plan[k].in_design,
+                       .outcome = {},
+                       .failure = outcomes[k].failure});
+      if (outcomes[k].failure.empty()) {
+        runs_.back().outcome = paper_gap::Outcome::from(outcomes[k].values);
+      }
+    }
+  }
+
+  void report(std::size_t all) {
+    const paper_gap::Findings findings = paper_gap::found(base_, runs_);
+    const paper_gap::Report r{base_, findings, runs_, wish_.fidelity, dense_density_, all};
+    const std::filesystem::path& folder = folders_.own;
+    const std::string complaint = paper_gap::write_tables(r, folder);
+    fmt::print(stderr, "{}", complaint);
+    const std::string figure =
+        complaint.empty() ? read_text(folder / "paper_gap.svg", std::size_t{1} << 26U) : std::string{};
+    write_atomically(folder / "paper_gap.html",
+                     paper_gap::page(r, figure.substr(std::min(figure.size(), figure.find("<svg")))));
+    Json summary = head_;
+    summary.update(paper_gap::summary(r));
+    ex::write_json(folder / "summary.json", summary);
+    if (progress_) {
+      progress_->close();
+    }
+    for (const std::string& sentence : paper_gap::sentences(r)) {
+      fmt::print("{}\n", sentence);
+    }
+  }
+
+  Wish wish_;
+  paper_gap::Base base_;
+  ex::CrewFolders folders_;
+  Campaign campaign_;
+  std::optional<ex::Progress> progress_;
+  std::string key_;
+  Json head_;
+  double dense_density_ = 1.0;
+  std::vector<paper_gap::Done> runs_;
+  std::size_t expected_ = 0, done_ = 0, kept_ = 0, failed_ = 0;
+};
+
+void run(int argc, char** argv, ex::CrewOfProgram& crew) {
+  Wish wish;
+  wish.fidelity = ex::Options::peek(argc, argv, "fidelity").value_or("desk");
+  paper_gap::Base base{wish.fidelity == "desk"};
+  ex::Options options{"paper_gap",
+                      "What carries the factor of three between simulated and measured drag force."};
+  options.add("fidelity", wish.fidelity, {"desk", "lab"}, "which set of defaults");
+  options.add("out", wish.out, {}, "folder for the results; none: results/paper_gap-K");
+  options.add("resume", wish.resume,
+              "go on in a folder that was begun: runs that are kept there are not repeated");
+  options.add("experiments", wish.experiments, {"all", "replay", "design"},
+              "the replayed paths, the design of six factors, or both");
+  options.add("replicates", wish.replicates, {1.0, 1e4}, "of each run, with other seeds");
+  options.add("seed", wish.seed, {0.0, 9e15}, "of the first replicate; the others follow");
+  options.add("workers", wish.workers, {0.0, 1024.0}, "runs side by side; 0: one for each processor");
+  base.bind(options);
+  options.parse(argc, argv);
+  Work{wish, options, base, crew}();
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  return ex::run_with_crew("paper_gap", argc, argv, [&](ex::CrewOfProgram& crew) { run(argc, argv, crew); });
+}

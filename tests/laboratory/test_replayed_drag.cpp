@@ -1,0 +1,98 @@
+#include "scree/geometry/dragline_bucket.hpp"
+#include "scree/laboratory/drag_test.hpp"
+#include "support/relative_error.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+using namespace scree;
+
+namespace {
+
+/// A tenth of the way, over a bed of few large grains.
+DragTestSetup small_test(std::uint64_t seed) {
+  DragTestSetup s{
+      .sample = desk_rock(),
+      .rig = desk_drag(),
+      .bucket = {make_dragline_bucket(), bucket_interior(), hitch_points(), estimated_from_plates()},
+      .seed = seed,
+      .threads = 1};
+  s.sample.assembly = Assembly{s.sample.assembly.shapes(), 2.6};
+  s.rig.bed_length = 0.9;
+  s.rig.bed_width = 0.42;
+  s.rig.bed_depth = 0.2;
+  s.rig.bucket_start = 0.1;
+  s.rig.drag_distance = 0.12;
+  return s;
+}
+
+using Free = DragTest<DefaultModel>;
+using Replayed = DragTest<DefaultModel, PathHaul>;
+
+double mean_force(const std::vector<DragRow>& rows, double distance) {
+  return pieces_of(rows, distance, 1).force.front();
+}
+
+} // namespace
+
+TEST_CASE("physics: a bucket that is made to follow a path is where the path says, whatever the rock does") {
+  const BucketPath path{{{0, 0, 0}, {0.03, 0.04, 0.0}, {0.08, -0.1, 0.01}, {0.13, -0.12, 0.02}}};
+  const DragTestSetup setup = small_test(3);
+  Replayed test{setup, {}, PathHaul{path}};
+  const DragTestResult& run = test.run();
+  CHECK(run.curve.size() > 10);
+  for (const DragSample& s : run.curve) {
+    const PathPoint at = path.at(s.drag);
+    CHECK(std::abs(s.drag - s.wound) < 1e-12);
+    CHECK(std::abs(s.attitude.pitch - at.pitch) < 1e-12);
+    CHECK(std::abs(s.depth - at.depth) < 1e-12);
+    CHECK(std::abs(s.attitude.roll - run.curve.front().attitude.roll) < 1e-12);
+  }
+  CHECK(mean_force(run.rows, setup.rig.drag_distance) > 0.0);
+}
+
+TEST_CASE("physics: a bucket led through free space takes its own weight and inertia, and no more") {
+  DragTestSetup setup = small_test(4);
+  // Up and away from the bed, steadily faster over the ramp and then evenly.
+  const BucketPath path{{{0, 0, 0}, {0.01, 0, -0.05}, {0.05, 0, -0.25}, {0.2, 0, -1.0}}};
+  setup.rig.ramp = 0.1;
+  Replayed test{setup, {}, PathHaul{path}};
+  const DragTestResult& run = test.run();
+  const DragSample& last = run.curve.back();
+  const double weight = setup.bucket.body.mass * 9.81;
+  CHECK(std::abs(last.force) < 1e-6 * weight);
+  CHECK(last.lift == test::about(weight, 1e-6));
+  CHECK(last.kinetic_energy > 0.5 * setup.bucket.body.mass * 0.75 * 0.75);
+}
+
+TEST_CASE(
+    "physics: along the path that a free bucket took, rock holds it with the force that its ropes had") {
+  double free = 0.0, replayed = 0.0;
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    const DragTestSetup setup = small_test(seed);
+    Free own{setup};
+    const auto& rows = own.run().rows;
+    Replayed again{setup, {}, PathHaul{recorded_path(rows)}};
+    const double f = mean_force(rows, setup.rig.drag_distance);
+    const double r = mean_force(again.run().rows, setup.rig.drag_distance);
+    MESSAGE("seed " << seed << ": " << f << " N free, " << r << " N along its path");
+    free += f;
+    replayed += r;
+  }
+  CHECK(replayed == test::about(free, 0.15));
+}
+
+TEST_CASE("a path that ends before the drag does is refused") {
+  try {
+    const Replayed test{
+        small_test(1), {}, PathHaul{BucketPath{{{0, 0, 0}, {0.01, 0, 0}, {0.02, 0, 0}, {0.1, 0, 0}}}}};
+    FAIL("not refused");
+  } catch (const Error& error) {
+    CHECK(std::string{error.what()}.find("ends at a drag of 0.1 m, before drag_distance = 0.12 m") !=
+          std::string::npos);
+  }
+}
