@@ -136,7 +136,7 @@ public:
   }
 
   /// How often such data would be taken for each of the causes, or for nothing (last), were one of them at
-  /// work. \param value of its first parameter, in its unit; the others as suits the data that there are
+  /// work. \param value of its first parameter, in its unit; a second one has no effect
   [[nodiscard]] std::vector<double> taken_for(std::size_t cause, double value) {
     const Parameter& parameter =
         space_.parameters()[static_cast<std::size_t>(hypotheses_.at(cause + 1).free()[0])];
@@ -262,11 +262,18 @@ private:
     return *alarm_;
   }
 
+  /// Where the first parameter is nearest to a share, and of these points the one where others are nearest to
+  /// null.
   [[nodiscard]] const Hypothesis::Point& nearest_point(std::size_t cause, double share) const {
-    const auto& points = hypotheses_[cause + 1].points();
-    return *std::min_element(points.begin(), points.end(), [&](const auto& a, const auto& b) {
-      return std::abs(a.shares[0] - share) < std::abs(b.shares[0] - share);
-    });
+    const Hypothesis& hypothesis = hypotheses_[cause + 1];
+    Eigen::VectorXd wanted = space_.null()(hypothesis.free());
+    wanted[0] = share;
+    const auto off = [&](const Hypothesis::Point& point) {
+      const Eigen::VectorXd aside = (point.shares - wanted).cwiseAbs();
+      return std::pair{aside[0], aside.tail(aside.size() - 1).sum()};
+    };
+    return *std::min_element(hypothesis.points().begin(), hypothesis.points().end(),
+                             [&](const auto& a, const auto& b) { return off(a) < off(b); });
   }
 
   /// What data from `truth` would be taken for; for nothing last.
