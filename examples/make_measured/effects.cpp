@@ -30,17 +30,25 @@ struct Known {
   std::string_view name;
   std::array<Size, 2> sizes;    ///< the second may have no parameter
   std::string_view only_with{}; ///< the one kind of experiment that shows it; empty: any may
+  std::string_view form{};      ///< other than that of the causes; empty: as those
 };
 constexpr std::array known{
     Known{"rolling_resistance", {Size{"rolling_friction", 0.0, 2.0, 0.08, 0.3}}},
+    Known{"rolling_resistance", // overdamped, so that rocks creep where they would rock
+          {Size{"rolling_friction", 0.0, 2.0, 0.08, 0.3}, Size{"rolling_damping", 0.0, 1e3, 2.0, 4.0}},
+          "",
+          "dashpot"},
     Known{"adhesion", {Size{"adhesion", 0.0, 1e3, 0.6, 2.5}}},
     Known{"normal_law", {Size{"normal_exponent", 1.0, 2.0, 1.2, 1.5}}},
     Known{"normal_hysteresis", {Size{"unloading_ratio", 1.0, 100.0, 1.3, 2.2}}},
     Known{"wall_friction", {Size{"rig_friction", 1e-3, 2.0, 0.05, 0.18}}},
     Known{"damping", {Size{"restitution", 0.01, 1.0, 0.25, 0.45}}},
+    // Of every force, not of contacts alone (Cundall).
+    Known{"damping", {Size{"local_damping", 0.0, 0.999, 0.25, 0.5}}, "", "local"},
     Known{"initial_packing", {Size{"packing_friction", 1e-3, 1e3, 0.2, 0.5}}},
     Known{"particle_density", {Size{"particle_density", 1.0, 2e4, 1.1, 1.3, true}}},
     Known{"shape_fraction", {Size{"first_shape_share", 0.0, 1.0, 0.6, 0.9}}},
+    Known{"shape_fraction", {Size{"second_shape_share", 0.0, 1.0, 0.5, 0.8}}, "", "second_shape"},
     Known{"size_scale", {Size{"size_factor", 0.05, 50.0, 1.15, 1.35, true}}},
     Known{"rate_friction", {Size{"friction_rate", -1e3, 1e3, 0.5, 2.0}}},
     Known{"attrition", {Size{"attrition", 0.0, 1e9, 30.0, 200.0}}},
@@ -53,13 +61,19 @@ constexpr std::array known{
           "drag"},
     Known{"bed_floor", {Size{"floor_depth", 0.1, 10.0, 0.65, 0.8}}, "drag"}};
 
+/// As it is called: "NAME" or "NAME:FORM".
+std::string called(const Known& effect) {
+  return effect.form.empty() ? std::string{effect.name} : message(effect.name, ":", effect.form);
+}
+
 /// \throws Error for a name that is none, or whose effect no experiment of the plan shows.
 const Known& effect_of(const std::string& one, const std::string& name, const ex::Plan& plan) {
-  const auto found = std::find_if(known.begin(), known.end(), [&](const Known& k) { return k.name == name; });
+  const auto found =
+      std::find_if(known.begin(), known.end(), [&](const Known& k) { return called(k) == name; });
   if (found == known.end()) {
     std::string names;
     for (const Known& k : known) {
-      names += message(names.empty() ? "" : ", ", k.name);
+      names += message(names.empty() ? "" : ", ", called(k));
     }
     throw Error(message("effect = ", one, ": there is no effect '", name, "'; there are ", names));
   }
@@ -118,7 +132,8 @@ std::vector<Effect> effects_in(const std::string& text, const ex::Plan& plan, Ra
       if (looked_for) {
         throw Error(message("effect = ", one, ": ", parameter.name, " is a base parameter of this plan"));
       }
-      out.push_back({name,
+      out.push_back({std::string{effect.name},
+                     std::string{effect.form},
                      {.name = std::string{parameter.name},
                       .unit = std::string{parameter.unit},
                       .least = size.least,
