@@ -27,7 +27,7 @@ struct Judgement {
 
 /// The base model with some causes free, or none. It is straightened in the base parameters, but not in
 /// those of the causes: these stand on a grid, denser around what suits the measured data and around null,
-/// and at each point of it the base parameters are those that suit best then. The same grid judges the
+/// and at each point of it the base parameters are near those that suit best then. The same grid judges the
 /// measured data and data that are drawn again.
 class Hypothesis {
 public:
@@ -77,8 +77,7 @@ public:
         fixed.fix(free_[a], share);
         near[free_[a]] = share;
       }
-      point.local =
-          local_at(most_probable(measured, response, fixed, near, near_enough), response, space.base());
+      point.local = local_at(nearly_most_probable(measured, response, fixed, near), response, space.base());
       points_.push_back(std::move(point));
       std::size_t a = 0;
       while (a < free_.size() && ++at[a] == axes[a].size()) {
@@ -161,9 +160,6 @@ public:
   }
 
 private:
-  /// Of shares: where a model is straightened need not be its best point, but only near.
-  static constexpr double near_enough = 1e-3;
-
   /// All other causes are null.
   static Prior prior_of(const ModelSpace& space, const std::vector<std::size_t>& causes) {
     const std::vector<Eigen::Index> free = space.parameters_of(causes);
@@ -188,7 +184,8 @@ private:
     Suitable out;
     double least = HUGE_VAL;
     const auto attempt = [&](const Eigen::VectorXd& start) {
-      const Eigen::VectorXd at = most_probable(measured, response, prior, start, near_enough);
+      const Eigen::VectorXd there = nearly_most_probable(measured, response, prior, start);
+      const Eigen::VectorXd at = nearly_most_probable(measured, response, prior, there);
       const Posterior posterior{measured, response, prior, at};
       const double misfit = posterior.misfit();
       if (misfit < least) {
