@@ -314,7 +314,10 @@ std::string page(const Case& c) {
                   "errors).</p>\n",
                   d.alarm.omnibus, d.alarm.directed, d.where.residuals[d.where.observable]);
   out += observables_table(c);
-  out += "<h2>Evidence</h2>\n" + evidence_table(c);
+  out += "<h2>Evidence</h2>\n<p>Two causes together are tried where none alone suffices, and listed where "
+         "they come "
+         "near the best.</p>\n" +
+         evidence_table(c);
   out += "<h2>Held out</h2>\n" + held_out_table(c);
   out += "<h2>What these data could tell apart</h2>\n<p>Of data drawn from each cause at half its range: how "
          "often "
