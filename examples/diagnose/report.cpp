@@ -82,9 +82,17 @@ std::vector<std::string> model_to_write(const Case& c) {
   std::vector<std::string> out;
   const bool named =
       c.diagnosed.diagnosis.finding == Finding::cause || c.diagnosed.diagnosis.finding == Finding::causes;
-  for (std::size_t k = 0; named && k < extended(c).causes.size(); ++k) {
-    const Cause& cause = c.diagnosed.space.causes()[extended(c).causes[k]];
-    out.push_back(cause.extension + ": " + value_text(c, extended(c).parameters[k]));
+  if (!named) {
+    return out;
+  }
+  auto parameter = extended(c).parameters.begin(); // of all causes, one after another
+  for (const std::size_t k : extended(c).causes) {
+    const Cause& cause = c.diagnosed.space.causes()[k];
+    std::string values;
+    for (std::size_t n = 0; n < cause.parameters.size(); ++n, ++parameter) {
+      values += (n == 0 ? "" : ", ") + value_text(c, *parameter);
+    }
+    out.push_back(cause.extension + ": " + values);
   }
   return out;
 }
@@ -306,7 +314,10 @@ std::string page(const Case& c) {
                   "errors).</p>\n",
                   d.alarm.omnibus, d.alarm.directed, d.where.residuals[d.where.observable]);
   out += observables_table(c);
-  out += "<h2>Evidence</h2>\n" + evidence_table(c);
+  out += "<h2>Evidence</h2>\n<p>Two causes together are tried where none alone suffices, and listed where "
+         "they come "
+         "near the best.</p>\n" +
+         evidence_table(c);
   out += "<h2>Held out</h2>\n" + held_out_table(c);
   out += "<h2>What these data could tell apart</h2>\n<p>Of data drawn from each cause at half its range: how "
          "often "

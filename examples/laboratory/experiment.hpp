@@ -108,7 +108,9 @@ Setup prepared(Setup setup, const Conditions& conditions) {
 /// Calls `run` with the physics that the conditions ask for.
 template <class Run>
 auto with_physics_of(const Conditions& conditions, const Run& run) {
-  return with_physics(conditions.model, {.step_safety = conditions.step_safety}, run);
+  return with_physics(
+      conditions.model,
+      {.step_safety = conditions.step_safety, .local_damping = conditions.model.local_damping}, run);
 }
 
 inline Conditions conditions_of(const Workbench& bench) {

@@ -68,8 +68,12 @@ void measure(const Order& order, const std::filesystem::path& folder, const Camp
   for (const Effect& effect : effects_in(order.effects, plan, sizes)) {
     plan.space.push_back(effect.parameter);
     parameters.push_back(effect.value);
-    truth["effects"][effect.name] = {
-        {"parameter", effect.parameter.name}, {"value", effect.value}, {"unit", effect.parameter.unit}};
+    Json one{{"parameter", effect.parameter.name}, {"value", effect.value}, {"unit", effect.parameter.unit}};
+    if (!effect.form.empty()) {
+      one["form"] = effect.form;
+    }
+    Json& there = truth["effects"][effect.name];
+    (there.is_null() ? there : there["second"]) = one;
   }
   truth["misread"] = order.misread;
   truth["misstated"] = order.misstated;

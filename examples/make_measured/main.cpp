@@ -29,8 +29,8 @@ struct Wish {
 void bind(ex::Options& options, Wish& w) {
   options.add_repeatable(
       "effect", w.order.effects,
-      "NAME=VALUE in the unit of its parameter, or NAME=auto for a size drawn from the seed; none: "
-      "nothing is hidden");
+      "NAME=VALUE in the unit of its parameter, NAME=VALUE:VALUE where it has two, or NAME=auto for a size "
+      "drawn from the seed; NAME:FORM is the same cause in another form; none: nothing is hidden");
   options.add_repeatable("misread", w.order.misread,
                          "EXPERIMENT.OBSERVABLE=FACTOR by which it is read off too high");
   options.add_repeatable("misstated", w.order.misstated,

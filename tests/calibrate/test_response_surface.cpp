@@ -98,3 +98,19 @@ TEST_CASE("what some runs do not show is left out for that observable alone") {
   CHECK(part.mean[1] == fewer.mean[1]);
   CHECK(part.variance[1] == fewer.variance[1]);
 }
+
+TEST_CASE("a part of the surfaces is what its observables alone give") {
+  const std::vector<Run> both = runs(30, 9);
+  std::vector<Run> second = both;
+  for (Run& run : second) {
+    run.observed = run.observed.tail(2).eval();
+  }
+  const ResponseSurface part = ResponseSurface{both}.part(1, 2), alone{second};
+  const Eigen::Vector2d there{0.4, 0.6};
+  CHECK((part.predicted(there).mean - alone.predicted(there).mean).norm() < 1e-12);
+  CHECK((part.predicted(there).variance - alone.predicted(there).variance).norm() < 1e-14);
+  CHECK((part.slopes(there) - alone.slopes(there)).norm() < 1e-12);
+  CHECK(part.freedom() == doctest::Approx(alone.freedom()).epsilon(1e-12));
+  CHECK((part.noise() - alone.noise()).norm() < 1e-14);
+  CHECK((part.correlation() - alone.correlation()).norm() < 1e-12);
+}

@@ -66,6 +66,27 @@ TEST_CASE("effects that make no sense are refused") {
         "effect = particle_density=2000: particle_density is a base parameter of this plan");
 }
 
+TEST_CASE("effects in another form are of the same cause, with parameters that no cause has") {
+  const examples::Plan plan = mini();
+  const auto causes = diagnose::catalogue(plan, "");
+  for (const char* form : {"rolling_resistance:dashpot", "damping:local", "shape_fraction:second_shape"}) {
+    CAPTURE(form);
+    Random random{1};
+    const auto effects = make_measured::effects_in(std::string{form} + "=auto", plan, random);
+    const make_measured::Effect& last = effects.back(); // what makes the form another
+    CHECK(last.name + ":" + last.form == form);
+    CHECK(std::any_of(causes.begin(), causes.end(), [&](const Cause& c) { return c.name == last.name; }));
+    CHECK(std::none_of(causes.begin(), causes.end(),
+                       [&](const Cause& c) { return c.parameters.front().name == last.parameter.name; }));
+    RockModel model = plan.model;
+    const RockParameter& parameter = rock_parameter(last.parameter.name);
+    CHECK(parameter.get(model) != doctest::Approx(last.value));
+    parameter.set(model, last.value);
+    CHECK(parameter.get(model) == doctest::Approx(last.value));
+  }
+  CHECK(complaint("damping:wind=0.3").find("there is no effect 'damping:wind'") != std::string::npos);
+}
+
 TEST_CASE("what a laboratory does wrong is read, and refused where it makes no sense") {
   const std::string stated = examples::diagnosis_plan("micro", 4).toml;
   const std::string truly =

@@ -26,7 +26,8 @@ inline std::string joined(const std::vector<std::string>& names) {
 /// One row for each data set: what was hidden and what was found.
 inline void write_trials(const std::vector<Trial>& trials, const std::filesystem::path& file) {
   std::ofstream out{file};
-  out << "seed,hidden,value,low,high,verdict,named,p,adequacy,held_out_before,held_out_after,gain_low,gain_"
+  out << "seed,hidden,form,value,low,high,verdict,named,p,adequacy,held_out_before,held_out_after,gain_low,"
+         "gain_"
          "high,"
          "held_out_p,expected_right\n";
   for (const Trial& t : trials) {
@@ -40,9 +41,9 @@ inline void write_trials(const std::vector<Trial>& trials, const std::filesystem
     out << t.set.seed << ',' << hidden << ',';
     if (t.kind == Kind::one) {
       const auto& found = t.hypothesis().parameters.at(0);
-      out << t.truth.values[0] << ',' << found.low << ',' << found.high;
+      out << t.truth.forms[0] << ',' << t.truth.values[0] << ',' << found.low << ',' << found.high;
     } else {
-      out << ",,";
+      out << ",,,";
     }
     out << ',' << scree::name_of(verdict.finding) << ',' << named << ',' << d.alarm.p << ','
         << d.ranking.front().adequacy << ',';

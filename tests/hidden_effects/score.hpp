@@ -79,8 +79,9 @@ inline std::vector<Requirement> score(const std::vector<Trial>& trials, const Ju
       first.of += is_clear ? 1 : 0;
       first.count += is_clear && !verdict.named.empty() && t.truth.has(verdict.named.front()) ? 1 : 0;
       const auto& found = t.hypothesis().parameters.at(0);
-      ++interval.of;
-      interval.count += found.low <= t.truth.values[0] && t.truth.values[0] <= found.high ? 1 : 0;
+      interval.of += t.same_form() ? 1 : 0;
+      interval.count +=
+          t.same_form() && found.low <= t.truth.values[0] && t.truth.values[0] <= found.high ? 1 : 0;
     }
     if (t.kind == Kind::nothing) {
       ++alarms.of;

@@ -37,7 +37,7 @@ struct Verdict {
 
 /// What was hidden, from the file that was sealed until the verdict was there.
 struct Truth {
-  std::vector<std::string> effects, parameters;
+  std::vector<std::string> effects, forms; ///< an empty form is that of the diagnosis
   std::vector<double> values;
 
   /// Whether all of `causes` are there, and one at least.
@@ -56,6 +56,8 @@ struct Trial {
   /// Of one effect: how often the diagnosis expects to take such data for each cause, and for nothing (last).
   std::vector<double> expected;
 
+  /// Whether the first effect has the parameter that the diagnosis looks for.
+  [[nodiscard]] bool same_form() const { return truth.forms.at(0).empty(); }
   /// Place of the first effect among the causes.
   [[nodiscard]] std::size_t cause() const {
     const auto& causes = diagnosed.space.causes();
@@ -98,37 +100,40 @@ inline Truth read_truth(const std::filesystem::path& file) {
   Truth out;
   for (const auto& [name, effect] : json["effects"].items()) {
     out.effects.push_back(name);
-    out.parameters.push_back(effect["parameter"]);
+    out.forms.push_back(effect.value("form", ""));
     out.values.push_back(effect["value"]);
   }
   return out;
 }
 
-/// \param runs folder that keeps the runs of the model, which all diagnoses share
+/// \param runs folder that keeps all runs, of which all diagnoses share those of the model
 inline Trial trial(const DataSet& set, const std::filesystem::path& runs, unsigned workers) {
   const scree::test::ScratchFolder folder;
-  make_measured::measure(set.order, folder.path(), scree::Campaign{{}, workers}, false);
+  make_measured::measure(set.order, folder.path(), scree::Campaign{runs, workers}, false);
   diagnose::Request request{.measured = (folder / "measured").string(), .runs = 200, .first_runs = 200};
   request.setup.draws = 200;
   diagnose::Diagnosed diagnosed = diagnose::Diagnosing{request, scree::Campaign{runs, workers}, false}();
   Trial out{set.kind, set.order, read_truth(folder / "truth.json"), std::move(diagnosed), {}};
   if (set.kind == Kind::one) {
-    out.expected = out.diagnosed.diagnostician->taken_for(out.cause(), out.truth.values.at(0));
+    // Of another form, the size is what it amounts to.
+    const double size = out.same_form() ? out.truth.values.at(0) : out.hypothesis().parameters.at(0).value;
+    out.expected = out.diagnosed.diagnostician->taken_for(out.cause(), size);
   }
+  out.diagnosed.diagnostician.reset(); // much, and not asked again
   return out;
 }
 
 /// On all processors; the first of them makes the runs of the model.
-inline std::vector<Trial> trials(const std::vector<DataSet>& sets) {
-  const scree::test::ScratchFolder runs;
+/// \param runs folder that keeps all runs
+inline std::vector<Trial> trials(const std::vector<DataSet>& sets, const std::filesystem::path& runs) {
   std::vector<std::optional<Trial>> done(sets.size());
-  done.at(0) = trial(sets[0], runs.path(), 0);
+  done.at(0) = trial(sets[0], runs, 0);
   std::atomic<std::size_t> next{1};
   std::vector<std::future<void>> workers;
   for (unsigned w = 0; w < std::max(1U, std::thread::hardware_concurrency()); ++w) {
     workers.push_back(std::async(std::launch::async, [&] {
       for (std::size_t k = next++; k < sets.size(); k = next++) {
-        done[k] = trial(sets[k], runs.path(), 1);
+        done[k] = trial(sets[k], runs, 1);
       }
     }));
   }

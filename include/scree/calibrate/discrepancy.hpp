@@ -40,11 +40,10 @@ struct Discrepancy {
   Eigen::VectorXd residual;
   Eigen::MatrixXd of_measured, of_simulated; ///< covariances of the means
 
-  /// \param at shares of the space
+  /// \param simulated of the response at that point
   Discrepancy(std::span<const Measured> measured, const ResponseSurface& response,
-              const Eigen::VectorXd& at) {
+              const ResponseSurface::Prediction& simulated) {
     const auto m = static_cast<Eigen::Index>(measured.size());
-    const auto simulated = response.predicted(at);
     residual.resize(m);
     Eigen::VectorXd scatter(m);
     for (Eigen::Index k = 0; k < m; ++k) {

@@ -45,11 +45,16 @@ class Posterior {
 public:
   Posterior(std::span<const Measured> measured, const ResponseSurface& response, Prior prior,
             const Eigen::VectorXd& at)
+      : Posterior{measured, response, std::move(prior), at, response.predicted(at)} {}
+
+  /// \param simulated of the response at that point, or with variances from near it
+  Posterior(std::span<const Measured> measured, const ResponseSurface& response, Prior prior,
+            const Eigen::VectorXd& at, const ResponseSurface::Prediction& simulated)
       : measured_{measured},
         prior_{std::move(prior)},
         at_{at},
         freedom_{response.freedom()},
-        seen_{measured, response, at},
+        seen_{measured, response, simulated},
         weight_{(seen_.of_measured + seen_.of_simulated).inverse()} {
     const Eigen::MatrixXd slopes = slopes_of(response, prior_, at);
     Eigen::MatrixXd precision = slopes.transpose() * weight_ * slopes;
@@ -142,19 +147,40 @@ private:
   Eigen::MatrixXd weight_, covariance_, gain_;
 };
 
+/// As far as from one point to the next, within the bounds.
+inline Eigen::VectorXd stepped(const Eigen::VectorXd& from, const Eigen::VectorXd& step) {
+  return (from + step.cwiseMax(-0.2).cwiseMin(0.2)).cwiseMax(0.0).cwiseMin(1.0);
+}
+
 /// The most probable parameters, in shares, within the bounds: Gauss and Newton on the surfaces.
-/// \param tolerance of the last step
 inline Eigen::VectorXd most_probable(std::span<const Measured> measured, const ResponseSurface& response,
-                                     const Prior& prior, Eigen::VectorXd from, double tolerance = 1e-9) {
+                                     const Prior& prior, Eigen::VectorXd from) {
+  constexpr double tolerance = 1e-9; // of the last step
   for (int iteration = 0; iteration < 50; ++iteration) {
-    const Eigen::VectorXd step =
-        Posterior{measured, response, prior, from}.step().cwiseMax(-0.2).cwiseMin(0.2);
-    const Eigen::VectorXd next = (from + step).cwiseMax(0.0).cwiseMin(1.0);
+    const Eigen::VectorXd next = stepped(from, Posterior{measured, response, prior, from}.step());
     const double moved = (next - from).cwiseAbs().maxCoeff();
     from = next;
     if (moved < tolerance) {
       break;
     }
+  }
+  return from;
+}
+
+/// Nearly the same, for a start that is near or where near is enough: to the last step of 1e-3, and as surely
+/// as the response is known at the start, which is most of the work.
+inline Eigen::VectorXd nearly_most_probable(std::span<const Measured> measured,
+                                            const ResponseSurface& response, const Prior& prior,
+                                            Eigen::VectorXd from) {
+  ResponseSurface::Prediction simulated = response.predicted(from);
+  for (int iteration = 0; iteration < 50; ++iteration) {
+    const Eigen::VectorXd next = stepped(from, Posterior{measured, response, prior, from, simulated}.step());
+    const double moved = (next - from).cwiseAbs().maxCoeff();
+    from = next;
+    if (moved < 1e-3) {
+      break;
+    }
+    simulated.mean = response.mean(from);
   }
   return from;
 }

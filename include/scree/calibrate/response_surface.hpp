@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <iterator>
 #include <map>
+#include <memory>
 #include <numeric>
 #include <span>
 #include <utility>
@@ -40,7 +41,7 @@ public:
     const auto n = static_cast<Eigen::Index>(runs.size());
     require_enough(n, parameters);
     noise_ = Eigen::VectorXd::Zero(m);
-    freedom_ = static_cast<double>(n - parameters - 1);
+    freedom_ = Eigen::VectorXd::Constant(m, static_cast<double>(n - parameters - 1));
     Eigen::MatrixXd left_out = Eigen::MatrixXd::Zero(n, m); // 0 where a run does not show the observable
     // Observables that the same runs show share their frames.
     std::map<std::vector<Eigen::Index>, std::vector<Eigen::Index>> observables_of;
@@ -70,8 +71,28 @@ public:
     correlation_.diagonal().setOnes();
   }
 
-  /// Degrees of freedom of the noise.
-  [[nodiscard]] double freedom() const { return freedom_; }
+  /// The surfaces of some observables, next to each other, as if there were no others.
+  [[nodiscard]] ResponseSurface part(Eigen::Index first, Eigen::Index count) const {
+    ResponseSurface out;
+    out.noise_ = noise_.segment(first, count);
+    out.freedom_ = freedom_.segment(first, count);
+    out.correlation_ = correlation_.block(first, first, count, count);
+    for (const Shared& shared : shared_) {
+      std::vector<Surface> surfaces;
+      for (const Surface& s : shared.surfaces) {
+        if (s.observable >= first && s.observable < first + count) {
+          surfaces.push_back({s.observable - first, s.weight, s.surface});
+        }
+      }
+      if (!surfaces.empty()) {
+        out.shared_.push_back({shared.frame, std::move(surfaces)});
+      }
+    }
+    return out;
+  }
+
+  /// Degrees of freedom of the noise: of the observable that has fewest.
+  [[nodiscard]] double freedom() const { return freedom_.minCoeff(); }
   /// Variance of each observable in single runs.
   [[nodiscard]] const Eigen::VectorXd& noise() const { return noise_; }
   /// Between the observables of single runs.
@@ -85,8 +106,8 @@ public:
     Prediction out{Eigen::VectorXd::Zero(noise_.size()), Eigen::VectorXd::Zero(noise_.size())};
     Eigen::VectorXd square = out.mean;
     for (const Shared& shared : shared_) {
-      const KrigingFrame::Place place = shared.frame.place(at);
-      const double variance = shared.frame.variance(place);
+      const KrigingFrame::Place place = shared.frame->place(at);
+      const double variance = shared.frame->variance(place);
       for (const Surface& s : shared.surfaces) {
         const double mean = s.surface.mean(place);
         out.mean[s.observable] += s.weight * mean;
@@ -97,11 +118,22 @@ public:
     out.variance += (square - out.mean.cwiseAbs2()).cwiseMax(0.0);
     return out;
   }
+  /// The means alone, which takes a small part of the work.
+  [[nodiscard]] Eigen::VectorXd mean(const Eigen::VectorXd& at) const {
+    Eigen::VectorXd out = Eigen::VectorXd::Zero(noise_.size());
+    for (const Shared& shared : shared_) {
+      const KrigingFrame::Place place = shared.frame->place(at);
+      for (const Surface& s : shared.surfaces) {
+        out[s.observable] += s.weight * s.surface.mean(place);
+      }
+    }
+    return out;
+  }
   /// Observables by parameters: change per share, along some of the parameters.
   [[nodiscard]] Eigen::MatrixXd slopes(const Eigen::VectorXd& at, std::span<const Eigen::Index> along) const {
     Eigen::MatrixXd out = Eigen::MatrixXd::Zero(noise_.size(), static_cast<Eigen::Index>(along.size()));
     for (const Shared& shared : shared_) {
-      const Eigen::MatrixXd slopes = shared.frame.slopes(at, along);
+      const Eigen::MatrixXd slopes = shared.frame->slopes(at, along);
       for (const Surface& s : shared.surfaces) {
         out.row(s.observable) += s.weight * s.surface.slope(slopes, along).transpose();
       }
@@ -125,9 +157,11 @@ private:
     Kriging surface;
   };
   struct Shared {
-    KrigingFrame frame;
+    std::shared_ptr<const KrigingFrame> frame; ///< parts have it too
     std::vector<Surface> surfaces{};
   };
+
+  ResponseSurface() = default;
 
   static void require_enough(Eigen::Index runs, Eigen::Index parameters) {
     if (runs < parameters + 3) {
@@ -164,7 +198,7 @@ private:
                             const std::vector<Eigen::Index>& observables, const Eigen::VectorXd& null) {
     std::vector<Shared> group;
     for (const EffectsKernel::Shape& shape : shapes(null.size() > 0)) {
-      group.push_back({KrigingFrame{at, shape, null}});
+      group.push_back({std::make_shared<const KrigingFrame>(at, shape, null)});
     }
     Eigen::MatrixXd left_out(observed.rows(), observed.cols());
     for (Eigen::Index k = 0; k < observed.cols(); ++k) {
@@ -172,7 +206,7 @@ private:
       std::vector<Kriging> surfaces;
       surfaces.reserve(group.size());
       for (const Shared& shared : group) {
-        surfaces.emplace_back(shared.frame, observed.col(k));
+        surfaces.emplace_back(*shared.frame, observed.col(k));
       }
       const auto best = std::max_element(surfaces.begin(), surfaces.end(), [](const auto& a, const auto& b) {
         return a.log_likelihood() < b.log_likelihood();
@@ -190,12 +224,13 @@ private:
         const double weight = weight_of(surfaces[f]) / sum;
         if (weight > 0.0) {
           noise_[observable] += weight * surfaces[f].noise();
-          numbers += weight * group[f].frame.numbers();
+          numbers += weight * group[f].frame->numbers();
           group[f].surfaces.push_back({observable, weight, surfaces[f]});
         }
       }
-      freedom_ = std::min(freedom_, std::max(1.0, static_cast<double>(observed.rows()) - numbers));
-      left_out.col(k) = best->left_out(group[static_cast<std::size_t>(best - surfaces.begin())].frame);
+      freedom_[observable] =
+          std::min(freedom_[observable], std::max(1.0, static_cast<double>(observed.rows()) - numbers));
+      left_out.col(k) = best->left_out(*group[static_cast<std::size_t>(best - surfaces.begin())].frame);
     }
     std::erase_if(group, [](const Shared& shared) { return shared.surfaces.empty(); });
     std::move(group.begin(), group.end(), std::back_inserter(shared_));
@@ -203,9 +238,8 @@ private:
   }
 
   std::vector<Shared> shared_;
-  Eigen::VectorXd noise_;
+  Eigen::VectorXd noise_, freedom_;
   Eigen::MatrixXd correlation_;
-  double freedom_ = 1.0;
 };
 
 } // namespace scree

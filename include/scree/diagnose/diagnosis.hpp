@@ -100,16 +100,22 @@ public:
   /// \throws Error for too few runs, runs without all observables, or a setup that makes no sense.
   Diagnostician(const ModelSpace& space, std::vector<Measured> measured, std::vector<Measured> held_out,
                 const std::vector<Run>& runs, DiagnosisSetup setup = {})
+      : Diagnostician{space, std::move(measured), std::move(held_out),
+                      ResponseSurface{runs, space.null_of_causes()}, setup} {}
+
+  /// \param response of all of these observables over the whole space, those held out last
+  Diagnostician(const ModelSpace& space, std::vector<Measured> measured, std::vector<Measured> held_out,
+                const ResponseSurface& response, DiagnosisSetup setup = {})
       : space_{space},
         measured_{std::move(measured)},
         held_out_{std::move(held_out)},
-        response_{part_of(runs, 0, measured_.size()), space_.null_of_causes()},
+        response_{part_of(response, 0, measured_.size())},
         setup_{setup},
         noise_{measured_, response_},
         court_{noise_, Prior::even(space.base())} {
     setup_.check();
     if (!held_out_.empty()) {
-      held_out_response_.emplace(part_of(runs, measured_.size(), held_out_.size()), space_.null_of_causes());
+      held_out_response_ = part_of(response, measured_.size(), held_out_.size());
     }
     add({}, Eigen::VectorXd::Constant(space_.base(), 0.5));
     for (std::size_t c = 0; c < space_.causes().size(); ++c) {
@@ -136,7 +142,7 @@ public:
   }
 
   /// How often such data would be taken for each of the causes, or for nothing (last), were one of them at
-  /// work. \param value of its first parameter, in its unit; the others as suits the data that there are
+  /// work. \param value of its first parameter, in its unit; a second one has no effect
   [[nodiscard]] std::vector<double> taken_for(std::size_t cause, double value) {
     const Parameter& parameter =
         space_.parameters()[static_cast<std::size_t>(hypotheses_.at(cause + 1).free()[0])];
@@ -179,21 +185,21 @@ public:
   }
 
 private:
-  static std::vector<Run> part_of(const std::vector<Run>& runs, std::size_t first, std::size_t count) {
-    std::vector<Run> out;
-    for (const Run& run : runs) {
-      if (static_cast<std::size_t>(run.observed.size()) < first + count) {
-        throw Error(message("diagnosis: a run has ", run.observed.size(), " observables where ",
-                            first + count, " are needed"));
-      }
-      out.push_back(
-          {run.at, run.observed.segment(static_cast<Eigen::Index>(first), static_cast<Eigen::Index>(count))});
+  static ResponseSurface part_of(const ResponseSurface& response, std::size_t first, std::size_t count) {
+    const auto there = static_cast<std::size_t>(response.noise().size());
+    if (there < first + count) {
+      throw Error(
+          message("diagnosis: a run has ", there, " observables where ", first + count, " are needed"));
     }
-    return out;
+    return response.part(static_cast<Eigen::Index>(first), static_cast<Eigen::Index>(count));
   }
 
   void add(std::vector<std::size_t> causes, const Eigen::VectorXd& start) {
-    hypotheses_.emplace_back(space_, std::move(causes), measured_, response_, start);
+    const auto suitable = Hypothesis::most_suitable(space_, causes, measured_, response_, start);
+    add(std::move(causes), suitable);
+  }
+  void add(std::vector<std::size_t> causes, const Hypothesis::Suitable& suitable) {
+    hypotheses_.emplace_back(space_, std::move(causes), measured_, response_, suitable);
     seen_.push_back(court_.judge(hypotheses_.back(), noise_.readings()));
   }
   [[nodiscard]] const Eigen::VectorXd& base_point() const { return hypotheses_[0].points()[0].local.base; }
@@ -210,8 +216,11 @@ private:
 
   /// Natural logarithm of the odds over the base model, given that something is wrong or not alike.
   [[nodiscard]] double log_odds(std::size_t h) const {
-    const double before = hypotheses_[h].causes().size() > 1 ? -std::log(setup_.odds_against_pair) : 0.0;
-    return seen_[h].log_evidence - seen_[0].log_evidence + before;
+    return log_odds(seen_[h].log_evidence, hypotheses_[h].causes().size());
+  }
+  [[nodiscard]] double log_odds(double log_evidence, std::size_t causes) const {
+    const double before = causes > 1 ? -std::log(setup_.odds_against_pair) : 0.0;
+    return log_evidence - seen_[0].log_evidence + before;
   }
   [[nodiscard]] std::vector<std::size_t> by_likelihood() const {
     std::vector<std::size_t> order(hypotheses_.size());
@@ -223,23 +232,48 @@ private:
     return order;
   }
 
-  /// Each of the most likely causes together with each other one.
+  /// Each of the most likely causes together with each other one. A pair is no likelier than it is at its
+  /// best point: those that are not near what is named even there are left at that.
   void try_pairs() {
+    struct Pair {
+      std::vector<std::size_t> causes;
+      Hypothesis::Suitable suitable;
+      double most; // of its log odds
+    };
+    std::vector<Pair> pairs;
+    for (std::vector<std::size_t>& causes : pairs_of_interest()) {
+      auto suitable = Hypothesis::most_suitable(space_, causes, measured_, response_, base_point());
+      const LocalModel best = Hypothesis::local_at(suitable.at, response_, space_.base());
+      const LocalFit fit = fitted(noise_, noise_.readings(), best, court_.base);
+      pairs.push_back({std::move(causes), std::move(suitable), log_odds(fit.log_evidence, 2)});
+    }
+    std::stable_sort(pairs.begin(), pairs.end(),
+                     [](const Pair& a, const Pair& b) { return a.most > b.most; });
+    constexpr double margin = 7.0; // as best points are only nearly so; ours
+    for (Pair& pair : pairs) {
+      if (pair.most < log_odds(by_likelihood().front()) - std::log(setup_.kept_odds) - margin) {
+        break;
+      }
+      add(std::move(pair.causes), pair.suitable);
+    }
+  }
+  [[nodiscard]] std::vector<std::vector<std::size_t>> pairs_of_interest() const {
     std::vector<std::size_t> first;
     for (const std::size_t h : by_likelihood()) {
       if (h > 0 && h < singles() && first.size() < setup_.pair_partners) {
         first.push_back(h - 1);
       }
     }
-    for (std::size_t a = 0; a < first.size(); ++a) {
+    std::vector<std::vector<std::size_t>> out;
+    for (auto a = first.begin(); a != first.end(); ++a) {
       for (std::size_t c = 0; c < space_.causes().size(); ++c) {
-        const bool done = std::find(first.begin(), first.begin() + static_cast<std::ptrdiff_t>(a) + 1, c) !=
-                          first.begin() + static_cast<std::ptrdiff_t>(a) + 1;
-        if (!done && space_.parameters_of({first[a], c}).size() == 2) {
-          add({std::min(first[a], c), std::max(first[a], c)}, base_point());
+        const bool done = std::find(first.begin(), a + 1, c) != a + 1;
+        if (!done && space_.parameters_of({*a, c}).size() == 2) {
+          out.push_back({std::min(*a, c), std::max(*a, c)});
         }
       }
     }
+    return out;
   }
 
   void residuals(Diagnosis& out) const {
@@ -262,11 +296,18 @@ private:
     return *alarm_;
   }
 
+  /// Where the first parameter is nearest to a share, and of these points the one where others are nearest to
+  /// null.
   [[nodiscard]] const Hypothesis::Point& nearest_point(std::size_t cause, double share) const {
-    const auto& points = hypotheses_[cause + 1].points();
-    return *std::min_element(points.begin(), points.end(), [&](const auto& a, const auto& b) {
-      return std::abs(a.shares[0] - share) < std::abs(b.shares[0] - share);
-    });
+    const Hypothesis& hypothesis = hypotheses_[cause + 1];
+    Eigen::VectorXd wanted = space_.null()(hypothesis.free());
+    wanted[0] = share;
+    const auto off = [&](const Hypothesis::Point& point) {
+      const Eigen::VectorXd aside = (point.shares - wanted).cwiseAbs();
+      return std::pair{aside[0], aside.tail(aside.size() - 1).sum()};
+    };
+    return *std::min_element(hypothesis.points().begin(), hypothesis.points().end(),
+                             [&](const auto& a, const auto& b) { return off(a) < off(b); });
   }
 
   /// What data from `truth` would be taken for; for nothing last.

@@ -27,7 +27,7 @@ struct Judgement {
 
 /// The base model with some causes free, or none. It is straightened in the base parameters, but not in
 /// those of the causes: these stand on a grid, denser around what suits the measured data and around null,
-/// and at each point of it the base parameters are those that suit best then. The same grid judges the
+/// and at each point of it the base parameters are near those that suit best then. The same grid judges the
 /// measured data and data that are drawn again.
 class Hypothesis {
 public:
@@ -37,20 +37,27 @@ public:
     LocalModel local;
   };
 
+  /// What suits the measured data best, all free parameters at once, and how surely they are known.
+  struct Suitable {
+    Eigen::VectorXd at, width; ///< shares of the whole space
+  };
+
   /// \param start base parameters that are about right, in shares
-  Hypothesis(const ModelSpace& space, std::vector<std::size_t> causes, std::span<const Measured> measured,
-             const ResponseSurface& response, const Eigen::VectorXd& start)
-      : causes_{std::move(causes)}, free_{space.parameters_of(causes_)} {
-    Prior prior = Prior::even(space.size());
-    const Eigen::VectorXd null = space.null();
-    for (Eigen::Index k = space.base(); k < space.size(); ++k) {
-      if (std::find(free_.begin(), free_.end(), k) == free_.end()) {
-        prior.fix(k, null[k]);
-      }
-    }
-    Eigen::VectorXd from = null;
+  static Suitable most_suitable(const ModelSpace& space, const std::vector<std::size_t>& causes,
+                                std::span<const Measured> measured, const ResponseSurface& response,
+                                const Eigen::VectorXd& start) {
+    Eigen::VectorXd from = space.null();
     from.head(space.base()) = start;
-    const auto [best, width] = most_suitable(measured, response, prior, from);
+    return most_suitable(space.parameters_of(causes), measured, response, prior_of(space, causes), from);
+  }
+
+  /// \param suitable of the same causes
+  Hypothesis(const ModelSpace& space, std::vector<std::size_t> causes, std::span<const Measured> measured,
+             const ResponseSurface& response, const Suitable& suitable)
+      : causes_{std::move(causes)}, free_{space.parameters_of(causes_)} {
+    const Prior prior = prior_of(space, causes_);
+    const Eigen::VectorXd null = space.null();
+    const auto& [best, width] = suitable;
     std::vector<std::vector<double>> axes;
     for (const Eigen::Index k : free_) {
       axes.push_back(axis(best[k], width[k], null[k], free_.size() > 1));
@@ -70,8 +77,7 @@ public:
         fixed.fix(free_[a], share);
         near[free_[a]] = share;
       }
-      point.local =
-          local_at(most_probable(measured, response, fixed, near, near_enough), response, space.base());
+      point.local = local_at(nearly_most_probable(measured, response, fixed, near), response, space.base());
       points_.push_back(std::move(point));
       std::size_t a = 0;
       while (a < free_.size() && ++at[a] == axes[a].size()) {
@@ -147,25 +153,39 @@ public:
     return axis.back();
   }
 
-private:
-  struct Suitable {
-    Eigen::VectorXd at, width;
-  };
+  /// The model at one point of the space, in shares.
+  static LocalModel local_at(const Eigen::VectorXd& at, const ResponseSurface& response, Eigen::Index base) {
+    const auto predicted = response.predicted(at);
+    return {at.head(base), predicted.mean, predicted.variance, response.slopes(at, base)};
+  }
 
-  /// Of shares: where a model is straightened need not be its best point, but only near.
-  static constexpr double near_enough = 1e-3;
+private:
+  /// All other causes are null.
+  static Prior prior_of(const ModelSpace& space, const std::vector<std::size_t>& causes) {
+    const std::vector<Eigen::Index> free = space.parameters_of(causes);
+    Prior prior = Prior::even(space.size());
+    const Eigen::VectorXd null = space.null();
+    for (Eigen::Index k = space.base(); k < space.size(); ++k) {
+      if (std::find(free.begin(), free.end(), k) == free.end()) {
+        prior.fix(k, null[k]);
+      }
+    }
+    return prior;
+  }
 
   /// The most probable of all free parameters, from several starts.
-  [[nodiscard]] Suitable most_suitable(std::span<const Measured> measured, const ResponseSurface& response,
-                                       const Prior& prior, const Eigen::VectorXd& from) const {
+  static Suitable most_suitable(const std::vector<Eigen::Index>& free, std::span<const Measured> measured,
+                                const ResponseSurface& response, const Prior& prior,
+                                const Eigen::VectorXd& from) {
     std::vector<double> starts{0.15, 0.5, 0.85};
-    if (free_.empty()) {
+    if (free.empty()) {
       starts = {0.5}; // of nothing
     }
     Suitable out;
     double least = HUGE_VAL;
     const auto attempt = [&](const Eigen::VectorXd& start) {
-      const Eigen::VectorXd at = most_probable(measured, response, prior, start, near_enough);
+      const Eigen::VectorXd there = nearly_most_probable(measured, response, prior, start);
+      const Eigen::VectorXd at = nearly_most_probable(measured, response, prior, there);
       const Posterior posterior{measured, response, prior, at};
       const double misfit = posterior.misfit();
       if (misfit < least) {
@@ -175,15 +195,15 @@ private:
     };
     for (const double first : starts) {
       Eigen::VectorXd start = from;
-      if (!free_.empty()) {
-        start[free_[0]] = first;
+      if (!free.empty()) {
+        start[free[0]] = first;
       }
       for (const double second : starts) {
-        if (free_.size() > 1) {
-          start[free_[1]] = second;
+        if (free.size() > 1) {
+          start[free[1]] = second;
         }
         attempt(start);
-        if (free_.size() < 2) {
+        if (free.size() < 2) {
           break;
         }
       }
@@ -225,11 +245,6 @@ private:
     const double before = k == 0 ? axis[k] : axis[k - 1];
     const double after = k + 1 == axis.size() ? axis[k] : axis[k + 1];
     return 0.5 * (after - before);
-  }
-
-  static LocalModel local_at(const Eigen::VectorXd& at, const ResponseSurface& response, Eigen::Index base) {
-    const auto predicted = response.predicted(at);
-    return {at.head(base), predicted.mean, predicted.variance, response.slopes(at, base)};
   }
 
   std::vector<std::size_t> causes_;

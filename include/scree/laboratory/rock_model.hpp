@@ -29,6 +29,7 @@ struct RockModel {
   ExtendedLaw law{NormalExponent{}, NormalHysteresis{}, Adhesion{},
                   RateFriction{},   Attrition{},        RollingResistance{.damping = 0.3}};
   double packing_friction = 1.0; ///< FillRecipe::packing_friction of what is filled with it
+  double local_damping = 0.0;    ///< Setup::local_damping of the experiments on it, but for the drag
   Gear gear{};                   ///< of the drag in it
 
   /// Whether the base law does not do, as an extension has another value than null.

@@ -5,6 +5,7 @@
 #include "scree/core/error.hpp"
 #include "scree/laboratory/rock_model.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <string>
@@ -23,12 +24,19 @@ struct RockParameter {
 
 namespace detail {
 
+/// \throws Error for rock without others
+inline double share_of(const Assembly& assembly, std::size_t shape) {
+  if (assembly.shapes().size() < std::max<std::size_t>(2, shape + 1)) {
+    throw Error(message("rock of ", assembly.shapes().size(), " shapes has no share of shape ", shape + 1));
+  }
+  return assembly.shapes()[shape].fraction;
+}
 /// The share of one shape, at the cost of all others in proportion.
 inline void set_share(Assembly& assembly, std::size_t shape, double share) {
+  const double others = 1.0 - share_of(assembly, shape);
   std::vector<ShapeFraction> shapes = assembly.shapes();
-  const double others = 1.0 - shapes[shape].fraction;
-  for (std::size_t k = 0; k < shapes.size(); ++k) {
-    shapes[k].fraction *= k == shape ? share / shapes[k].fraction : (1.0 - share) / others;
+  for (ShapeFraction& one : shapes) {
+    one.fraction *= (1.0 - share) / others;
   }
   shapes[shape].fraction = share;
   assembly = Assembly{std::move(shapes), assembly.size_factor()};
@@ -71,6 +79,11 @@ inline constexpr std::array rock_parameters{
                   [](RockModel& m, double value) {
                     m.sample.rock.rolling_friction = m.sample.rig.rolling_friction = value;
                   }},
+    RockParameter{"rolling_damping", "", false,
+                  [](const RockModel& m) { return m.law.extension<RollingResistance>().damping; },
+                  [](RockModel& m, double value) { m.law.extension<RollingResistance>().damping = value; }},
+    RockParameter{"local_damping", "", false, [](const RockModel& m) { return m.local_damping; },
+                  [](RockModel& m, double value) { m.local_damping = value; }},
     RockParameter{"adhesion", "J/m2", false,
                   [](const RockModel& m) { return m.law.extension<Adhesion>().work; },
                   [](RockModel& m, double value) { m.law.extension<Adhesion>().work = value; }},
@@ -95,6 +108,9 @@ inline constexpr std::array rock_parameters{
     RockParameter{"first_shape_share", "", false,
                   [](const RockModel& m) { return m.sample.assembly.shapes().front().fraction; },
                   [](RockModel& m, double value) { detail::set_share(m.sample.assembly, 0, value); }},
+    RockParameter{"second_shape_share", "", false,
+                  [](const RockModel& m) { return detail::share_of(m.sample.assembly, 1); },
+                  [](RockModel& m, double value) { detail::set_share(m.sample.assembly, 1, value); }},
     RockParameter{"rope_stiffness", "", true, [](const RockModel& m) { return m.gear.rope_stiffness; },
                   [](RockModel& m, double value) { m.gear.rope_stiffness = value; }},
     RockParameter{"load_cell_gain", "", false, [](const RockModel& m) { return m.gear.load_cell_gain; },
