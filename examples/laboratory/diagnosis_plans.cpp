@@ -154,12 +154,15 @@ std::string micro() {
 }
 
 /// A third of a metre through a few layers of coarse grains, by a slack rope, whose stretch tells the force
-/// once more.
+/// once more. The bucket is still empty on most of the way.
 std::string short_drag(const std::string& name, const std::string& speed, const std::string& more = "") {
   return "\n[experiments." + name + "]\n" + (name == "drag" ? "" : "kind = \"drag\"\n") +
          "bed.length = 0.8\nbed.width = 0.36\nbed.depth = 0.18\nrig.drag_distance = 0.3\n" +
          "rig.rope_stiffness = 5e3\nrecord.pieces = 3\nrig.drag_speed = " + speed + "\n" + more +
-         "data = \"" + name + ".csv\"\n";
+         "data = \"" + name + ".csv\"\n" + R"(use = ["force_N_1", "force_N_2", "force_N_3",
+  "pitch_deg_1", "pitch_deg_2", "pitch_deg_3", "depth_m_1", "depth_m_2", "depth_m_3",
+  "lag_m_1", "lag_m_2", "lag_m_3", "mass_kg_3", "roughness"]
+)";
 }
 
 std::string drag() {
