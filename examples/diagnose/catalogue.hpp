@@ -11,8 +11,8 @@
 
 namespace diagnose {
 
-/// All causes that experiments on rock can show, with null values of the plan's rock. Those whose parameter
-/// the plan looks for anyway are left out.
+/// All causes that the experiments of a plan can show, with null values of its rock and rig. Parameters that
+/// the plan looks for anyway are left out, and causes that have no other.
 /// \param only names, with commas between them; empty: all
 /// \throws Error for a name that is none of them.
 std::vector<scree::Cause> catalogue(const scree::examples::Plan& plan, const std::string& only);

@@ -153,12 +153,37 @@ std::string micro() {
          tamped("lightly_tamped", "0.1", "0.1", "0.6", held_out);
 }
 
+/// A third of a metre through a few layers of coarse grains, by a slack rope, whose stretch tells the force
+/// once more. The bucket is still empty on most of the way.
+std::string short_drag(const std::string& name, const std::string& speed, const std::string& more = "") {
+  return "\n[experiments." + name + "]\n" + (name == "drag" ? "" : "kind = \"drag\"\n") +
+         "bed.length = 0.8\nbed.width = 0.36\nbed.depth = 0.18\nrig.drag_distance = 0.3\n" +
+         "rig.rope_stiffness = 5e3\nrecord.pieces = 3\nrig.drag_speed = " + speed + "\n" + more +
+         "data = \"" + name + ".csv\"\n" + R"(use = ["force_N_1", "force_N_2", "force_N_3",
+  "pitch_deg_1", "pitch_deg_2", "pitch_deg_3", "depth_m_1", "depth_m_2", "depth_m_3",
+  "lag_m_1", "lag_m_2", "lag_m_3", "mass_kg_3", "roughness"]
+)";
+}
+
+std::string drag() {
+  std::string rock = soft;
+  rock.insert(rock.find("normal"), "fractions = [0.25, 0.0, 0.0, 0.75] # the last are spheres\n"
+                                   "size_factor = 1.6\n");
+  return base("5e3", "3e4") + rock + single_rocks("1000", "12.0") +
+         container("bulk_density", "0.13", "0.13") + tamped("tamped", "0.13", "0.13", "0.3") +
+         oedometer("oedometer", "0.13", "0.105", std::string{"fill.surplus = 0.5\n"} + light) +
+         short_drag("drag", "0.5") + short_drag("drag_faster", "0.9", held_out);
+}
+
 std::vector<Reading> readings(const std::string& plan, std::size_t replicates) {
   std::vector<Reading> out{{"immersion", replicates, 5e-4, 0.0},   {"bulk_density", replicates, 1e-3, 0.0},
                            {"tamped", replicates, 1e-3, 0.0},      {"oedometer", replicates, 1e-2, 0.0},
                            {"drop_slowly", replicates, 5e-3, 0.0}, {"drop_fast", replicates, 5e-3, 0.0},
                            {"tilt_test", replicates, 0.0, 0.3}};
-  if (plan == "micro") {
+  if (plan == "drag") {
+    out.push_back({"drag", replicates, 1e-2, 0.0});
+    out.push_back({"drag_faster", replicates, 1e-2, 0.0});
+  } else if (plan == "micro") {
     out.push_back({"lightly_tamped", replicates, 1e-3, 0.0});
     out.push_back({"drop_between", replicates, 5e-3, 0.0});
     out.push_back({"tilt_slowly", replicates, 0.0, 0.3});
@@ -182,7 +207,10 @@ DiagnosisPlan diagnosis_plan(const std::string& name, std::size_t replicates) {
   if (name == "micro") {
     return {name, micro(), readings(name, replicates)};
   }
-  throw Error(message("there is no plan '", name, "' of experiments; there are desk, mini and micro"));
+  if (name == "drag") {
+    return {name, drag(), readings(name, replicates)};
+  }
+  throw Error(message("there is no plan '", name, "' of experiments; there are desk, mini, micro and drag"));
 }
 
 } // namespace scree::examples

@@ -11,7 +11,7 @@
 
 namespace scree::examples {
 
-inline constexpr std::array diagnosis_plan_names{"desk", "mini", "micro"};
+inline constexpr std::array diagnosis_plan_names{"desk", "mini", "micro", "drag"};
 
 struct DiagnosisPlan {
   std::string name;
@@ -20,8 +20,8 @@ struct DiagnosisPlan {
 };
 
 /// "desk": rock, a few seconds for all experiments once. "mini": some tens of softer grains. "micro": most of
-/// them round and no heaps, a second, for those who diagnose hundreds of data sets.
-/// \throws Error for another name.
+/// them round and no heaps, a second, for those who diagnose hundreds of data sets. "drag": coarser grains of
+/// these, and a bucket dragged through them, which shows its rig as well. \throws Error for another name.
 DiagnosisPlan diagnosis_plan(const std::string& name, std::size_t replicates);
 
 } // namespace scree::examples

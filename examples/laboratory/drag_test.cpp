@@ -82,13 +82,18 @@ public:
   /// Of a table with the columns of drag.csv, as the load cell reads the force; but for the drag, those that
   /// it has not are not among the observables.
   std::vector<double> reduce(const CsvTable& measured) const override {
-    const std::span<const double> drag = measured.column("drag_m");
-    std::vector<DragRow> rows(drag.size());
+    std::vector<DragRow> rows(measured.column("drag_m").size());
     const auto read = [&](const char* name, double DragRow::*what, double unit) {
       const auto& known = measured.columns;
-      const bool there = std::find(known.begin(), known.end(), name) != known.end();
+      if (std::find(known.begin(), known.end(), name) == known.end()) {
+        for (DragRow& row : rows) {
+          row.*what = std::numeric_limits<double>::quiet_NaN();
+        }
+        return;
+      }
+      const std::span<const double> column = measured.column(name);
       for (std::size_t k = 0; k < rows.size(); ++k) {
-        rows[k].*what = there ? measured.column(name)[k] * unit : std::numeric_limits<double>::quiet_NaN();
+        rows[k].*what = column[k] * unit;
       }
     };
     read("drag_m", &DragRow::drag, 1.0);

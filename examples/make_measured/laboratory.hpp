@@ -12,7 +12,7 @@ namespace make_measured {
 
 /// What is to be measured. Lists have commas between their items.
 struct Order {
-  std::string plan = "desk"; ///< desk, mini or micro, or a folder with calibration.toml
+  std::string plan = "desk"; ///< desk, mini, micro or drag, or a folder with calibration.toml
   std::string effects{};     ///< NAME=VALUE or NAME=auto, NAME:FORM in another form than that of the causes
   std::string misread{};     ///< EXPERIMENT.OBSERVABLE=FACTOR: read off wrong
   std::string misstated{};   ///< KEY=VALUE: as it was, where calibration.toml says otherwise

@@ -40,7 +40,7 @@ void bind(ex::Options& options, Wish& w) {
   options.add("kept", w.kept, {}, "folder that keeps every run; none: runs/ in the folder for the results");
   options.add("plan", w.order.plan, {},
               "the experiments: desk, of rock; mini, of some tens of softer grains; micro, of most of them "
-              "round; or a folder with calibration.toml");
+              "round; drag, of these and a bucket dragged through them; or a folder with calibration.toml");
   options.add("replicates", w.order.replicates, {2.0, 1e4}, "of each experiment");
   options.add("reading_error", w.order.reading_error, {0.0, 1.0}, "relative, of a folder's experiments");
   options.add("seed", w.order.seed, {0.0, 9e15}, "of the rock, of specimens, readings and sizes of effects");

@@ -74,6 +74,29 @@ TEST_CASE("hidden-effects: two causes at once are both named") {
   CHECK(named(d) == std::vector<std::string>{"rolling_resistance", "normal_hysteresis"});
 }
 
+TEST_CASE("hidden-effects: a cause with two parameters is named, with both") {
+  const auto causes = toy::causes();
+  Cause loss{"loss", causes[2].parameters, causes[2].null};
+  loss.parameters.push_back(causes[3].parameters[0]);
+  loss.null.push_back(causes[3].null[0]);
+  const ModelSpace of_two{toy::base(), {causes[0], causes[1], loss}}; // the same parameters in the same order
+  const toy::Data data = toy::data({-1.0, -1.0, 0.5, 0.3}, 34);
+  Diagnostician judge{of_two, data.fitted, data.held_out, shared_runs(), {.draws = 100}};
+  const Diagnosis d = judge();
+  CHECK(d.finding == Finding::cause);
+  CHECK(named(d, of_two) == std::vector<std::string>{"loss"});
+  REQUIRE(d.ranking.front().parameters.size() == 2);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Ranked::Interval& found = d.ranking.front().parameters[k];
+    CHECK(found.value == doctest::Approx(data.truth[5 + k]).epsilon(0.15));
+    CHECK(found.low < found.value);
+    CHECK(found.value < found.high);
+  }
+  // Were its first parameter null, there would be nothing, as the second is null then.
+  CHECK(judge.taken_for(2, causes[2].null[0]).back() > 0.8);
+  CHECK(judge.taken_for(2, data.truth[5])[2] > 0.5);
+}
+
 TEST_CASE("hidden-effects: what is none of the causes is called unexplained, and shown where it is") {
   const Diagnosis d = diagnosed(toy::data({}, 32, 0.08));
   CHECK(d.finding == Finding::unexplained);

@@ -11,22 +11,27 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
+#include <vector>
 
 using namespace scree;
 
 namespace {
 
-examples::Plan mini() {
+examples::Plan plan_of(const char* name) {
   const test::ScratchFolder scratch;
-  write_atomically(scratch.path() / "calibration.toml", examples::diagnosis_plan("mini", 6).toml);
+  write_atomically(scratch.path() / "calibration.toml", examples::diagnosis_plan(name, 6).toml);
   return examples::read_plan(scratch.path(), examples::Data::none);
 }
+examples::Plan mini() {
+  return plan_of("mini");
+}
 
-std::string complaint(const std::string& effects) {
+std::string complaint(const std::string& effects, const char* plan = "mini") {
   Random random{1};
   try {
-    (void)make_measured::effects_in(effects, mini(), random);
+    (void)make_measured::effects_in(effects, plan_of(plan), random);
   } catch (const Error& error) {
     return error.what();
   }
@@ -57,7 +62,48 @@ TEST_CASE("effects are read with values in their units or drawn from the seed, a
   }
 }
 
+TEST_CASE("effects of the rig have their causes too, with a value for each of their parameters") {
+  const examples::Plan plan = plan_of("drag");
+  Random random{1};
+  std::size_t of_two = 0;
+  for (const Cause& cause : diagnose::catalogue(plan, "")) {
+    CAPTURE(cause.name);
+    const auto drawn = make_measured::effects_in(cause.name + "=auto", plan, random);
+    REQUIRE(drawn.size() == cause.parameters.size());
+    of_two += drawn.size() == 2 ? 1 : 0;
+    for (std::size_t k = 0; k < drawn.size(); ++k) {
+      CHECK(drawn[k].name == cause.name);
+      CHECK(drawn[k].parameter.name == cause.parameters[k].name);
+      CHECK(drawn[k].value != cause.null[k]);
+      CHECK(drawn[k].value > cause.parameters[k].least);
+      CHECK(drawn[k].value < cause.parameters[k].most);
+    }
+  }
+  CHECK(of_two == 2);
+
+  const auto first = make_measured::effects_in("load_cell=1.2", plan, random);
+  REQUIRE(first.size() == 1);
+  CHECK(first[0].parameter.name == "load_cell_gain");
+  CHECK(first[0].value == 1.2);
+  const auto both = make_measured::effects_in("load_cell=1.2:-8,bucket_inertia=1.4:auto", plan, random);
+  REQUIRE(both.size() == 4);
+  CHECK(both[1].parameter.name == "load_cell_offset");
+  CHECK(both[1].parameter.unit == "N");
+  CHECK(both[1].value == -8.0);
+  CHECK(both[2].value == 1.4);
+  CHECK(both[3].parameter.name == "bucket_inertia");
+}
+
 TEST_CASE("effects that make no sense are refused") {
+  CHECK(complaint("rope_stiffness=0.2") ==
+        "effect = rope_stiffness=0.2: only experiments of the kind drag show it, and this plan has none");
+  CHECK(complaint("load_cell=1.2:3:4", "drag") ==
+        "effect = load_cell=1.2:3:4: '3:4' is neither a number nor auto");
+  CHECK(complaint("rope_stiffness=0.2:3", "drag") ==
+        "effect = rope_stiffness=0.2:3: rope_stiffness has one parameter, rope_stiffness");
+  CHECK(complaint("load_cell=1.2:much", "drag") ==
+        "effect = load_cell=1.2:much: 'much' is neither a number nor auto");
+  CHECK(complaint("load_cell=20", "drag") == "effect load_cell = 20 is outside [0.1, 10]");
   CHECK(complaint("wind=3").find(
             "effect = wind=3: there is no effect 'wind'; there are rolling_resistance") == 0);
   CHECK(complaint("adhesion") == "effect = adhesion: '' is neither a number nor auto");
@@ -137,6 +183,41 @@ TEST_CASE("the catalogue has the null values of the plan's rock, and leaves out 
   CHECK(diagnose::catalogue(plan, "damping,adhesion").size() == 2);
   CHECK_THROWS_WITH_AS(diagnose::catalogue(plan, "damping,wind"), doctest::Contains("there is no 'wind'"),
                        Error);
+}
+
+TEST_CASE("causes of the rig are considered where there is a drag") {
+  const auto names = [](const examples::Plan& plan, const char* only) {
+    std::vector<std::string> out;
+    for (const Cause& cause : diagnose::catalogue(plan, only)) {
+      cause.check();
+      out.push_back(cause.name);
+    }
+    return out;
+  };
+  const std::vector<std::string> rig{"rope_stiffness", "load_cell", "bucket_inertia", "bed_floor"};
+  const auto without = names(mini(), ""), with = names(plan_of("drag"), "");
+  REQUIRE(with.size() == without.size() + rig.size());
+  CHECK(std::equal(rig.begin(), rig.end(), with.end() - 4));
+  CHECK(names(mini(), "damping,load_cell") == std::vector<std::string>{"damping"});
+
+  // Whatever there is of a cause must be null in the plan's rock and rig.
+  const examples::Plan plan = plan_of("drag");
+  for (const Cause& cause : diagnose::catalogue(plan, "load_cell,bucket_inertia")) {
+    CAPTURE(cause.name);
+    REQUIRE(cause.parameters.size() == 2);
+    for (std::size_t k = 0; k < 2; ++k) {
+      CHECK(rock_parameter(cause.parameters[k].name).get(plan.model) == cause.null[k]);
+    }
+  }
+}
+
+TEST_CASE("a parameter of the gear that is looked for is none of a cause's any more") {
+  examples::Plan plan = plan_of("drag");
+  plan.space.push_back({.name = "load_cell_gain", .least = 0.9, .most = 1.1});
+  const auto causes = diagnose::catalogue(plan, "load_cell");
+  REQUIRE(causes.size() == 1);
+  REQUIRE(causes[0].parameters.size() == 1);
+  CHECK(causes[0].parameters[0].name == "load_cell_offset");
 }
 
 TEST_CASE("held-out experiments come last, and a calibration drops them") {

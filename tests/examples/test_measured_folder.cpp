@@ -3,10 +3,13 @@
 #include "support/scratch_folder.hpp"
 
 #include "scree/io/atomic_file.hpp"
+#include "scree/io/csv.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <cstddef>
+#include <filesystem>
 #include <string>
 
 using namespace scree;
@@ -175,6 +178,87 @@ use = ["loading_1", "loading_2", "unloading_1", "reloading_2"]
   CHECK(measured[0].curve == "oedometer.loading");
   CHECK(measured[1].curve == measured[0].curve);
   CHECK(measured[2].curve == "oedometer.unloading");
+}
+
+TEST_CASE("curves of a drag are reduced as those of the simulation are, by what was measured") {
+  const test::ScratchFolder scratch;
+  const std::string stated = R"([parameters.rope_stiffness]
+least = 0.2
+most = 5.0
+[experiments.drag]
+rig.drag_distance = 0.5
+record.pieces = 2
+)";
+  write_atomically(scratch / "calibration.toml", stated + "curves = [\"1.csv\", \"2.csv\"]\n");
+  for (const double scale : {1.0, 2.0}) {
+    std::string curve = "drag_m,force_N,pitch_deg\n";
+    for (int k = 0; k <= 60; ++k) {
+      const double x = k / 100.0; // a little further than is asked for
+      curve += message(x, ",", scale * (100.0 * x + (k % 2 == 0 ? 1.0 : -1.0)), ",", 3.0 - 10.0 * x, "\n");
+    }
+    write_atomically(scratch / message(scale, ".csv"), curve);
+  }
+  const auto plan = read_plan(scratch.path());
+  const auto& measured = plan.experiments.at(0).measured;
+  // Of depth, mass and lag, nothing was measured.
+  REQUIRE(measured.size() == 5);
+  CHECK(measured[0].name == "drag.force_N_1");
+  CHECK(measured[0].curve == "drag.force_N");
+  CHECK_FALSE(measured[0].logarithmic);
+  CHECK(measured[0].replicates[0] == doctest::Approx(12.5).epsilon(0.01));
+  CHECK(measured[1].replicates[1] == doctest::Approx(2.0 * measured[1].replicates[0]));
+  CHECK(measured[2].name == "drag.pitch_deg_1");
+  CHECK(measured[2].replicates[0] == doctest::Approx(3.0 - 1.25));
+  CHECK(measured[3].replicates[0] == doctest::Approx(3.0 - 3.75));
+  CHECK(measured[4].name == "drag.roughness");
+  CHECK(measured[4].replicates[0] == doctest::Approx(1.0 / 25.0).epsilon(0.05));
+  CHECK(measured[4].replicates[0] == doctest::Approx(measured[4].replicates[1]));
+  CHECK(plan.space.at(0).name == "rope_stiffness");
+  CHECK(plan.start.at(0) == 1.0);
+
+  write_atomically(scratch / "1.csv", "force_N\n3\n4\n");
+  CHECK_THROWS_WITH_AS((void)read_plan(scratch.path()), doctest::Contains("drag_m"), Error);
+}
+
+TEST_CASE("a drag among the experiments is measured with its rig, and its curve is drawn") {
+  const test::ScratchFolder scratch;
+  write_atomically(scratch / "calibration.toml", R"([parameters.load_cell_gain]
+least = 0.5
+most = 2.0
+[rock]
+size_factor = 3.0
+normal_stiffness = 1e4
+shear_stiffness = 1e4
+[rig]
+normal_stiffness = 1e4
+shear_stiffness = 1e4
+[experiments.drag]
+bed.length = 0.6
+bed.width = 0.36
+bed.depth = 0.15
+rig.drag_distance = 0.05
+record.pieces = 2
+data = "drag.csv"
+)");
+  const auto plan = read_plan(scratch.path(), examples::Data::none);
+  const examples::PlannedExperiment& drag = plan.experiments.at(0);
+  const auto observables = drag.experiment->observables();
+  const auto run = [&](double gain, const std::filesystem::path& folder) {
+    return drag.experiment->observe({.model = plan.with({gain}), .seed = 3}, folder);
+  };
+  const auto null = run(1.0, scratch / ""), twice = run(2.0, {});
+  REQUIRE(null.size() == observables.size());
+  for (std::size_t k = 0; k < null.size(); ++k) {
+    CAPTURE(observables[k].name);
+    const double factor = observables[k].name.rfind("force_N", 0) == 0 ? 2.0 : 1.0;
+    CHECK(twice[k] == doctest::Approx(factor * null[k]));
+  }
+  // What is measured in the curve that a run writes is what the run gives.
+  const auto reduced = drag.experiment->reduce(read_csv(scratch / drag.experiment->curve().file));
+  for (std::size_t k = 0; k < null.size(); ++k) {
+    CAPTURE(observables[k].name);
+    CHECK(reduced[k] == doctest::Approx(null[k]).epsilon(1e-6));
+  }
 }
 
 TEST_CASE("a fault in a folder of measurements is told by file and line") {

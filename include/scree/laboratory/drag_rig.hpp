@@ -88,6 +88,9 @@ public:
   /// with it, or does nothing, where it had begun.
   template <class Watch>
   void place_bucket(Watch watch) {
+    if (phase_ < Phase::filled) {
+      throw Error("drag rig: there is no bed to place the bucket on");
+    }
     if (phase_ == Phase::filled) {
       laid_.position = {setup_.bucket_start - box_.min().x(), 0.0, surface_below_bucket()};
       clear_of_bucket(laid_);
