@@ -104,7 +104,7 @@ inline std::string plot_script(const std::string& name, const std::string& title
   std::string body = fmt::format(
       "set encoding utf8\nset multiplot layout {},{} title {} font ',14'\n"
       "set datafile separator ','\nset datafile commentschars '#'\n"
-      "set border 3 lc rgb '#404040'\nset tics nomirror out scale 0.6\n"
+      "set border 3 lc rgb '#404040'\nset tics nomirror out scale 0.6\nset format '%g'\n"
       "set grid lt 1 lw 0.6 lc rgb '#dddddd'\nset autoscale noextend\nset offsets graph 0, graph 0.02, graph "
       "0.07, graph 0.05\n"
       "set key at graph 0, graph -0.24 left top Left reverse vertical maxrows 3 samplen 2 width 2\n"
