@@ -91,8 +91,8 @@ public:
 
   void bind(Options& options) override {
     options.group("Drops");
-    options.add("drop.speeds", setup_.speeds, {1e-3, 1e3, "m/s"},
-                "five, at which the rocks come to the plate");
+    options.add_series("drop.speeds", setup_.speeds, 1, {1e-3, 1e3, "m/s"},
+                       "at which the rocks come to the plate");
     options.add("drop.drops", setup_.drops, {2.0, 1e6}, "at each speed");
     options.add("drop.patience", setup_.patience, {1e-6, 1e3, "s"}, "for a rock to leave the plate");
   }

@@ -329,9 +329,9 @@ int main(int argc, char** argv) {
     options.add("out", wish.out, {}, "folder for the results; none: results/sand_oedometer-K");
     options.add("resume", wish.resume,
                 "go on in a folder that was begun: runs that are kept there are not repeated");
-    options.add("tests", wish.tests, {1.0, 12.0}, "four, by their numbers");
-    options.add("stiffnesses", wish.stiffnesses, {1.0, 1e6},
-                "of contacts over highest stress times mean diameter, ascending");
+    options.add_series("tests", wish.tests, 1, {1.0, 12.0}, "by their numbers");
+    options.add_series("stiffnesses", wish.stiffnesses, 2, {1.0, 1e6},
+                       "of contacts over highest stress times mean diameter, ascending");
     options.add("packing_friction", wish.packing_friction, {1e-3, 1e3},
                 "times its own, the friction of the simulated grains while they are poured: loose fillings "
                 "give way by "

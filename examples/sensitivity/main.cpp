@@ -3,6 +3,7 @@
 
 #include "laboratory/plan.hpp"
 #include "laboratory/trials.hpp"
+#include "sensitivity/trend.hpp"
 #include "support/crew.hpp"
 #include "support/options.hpp"
 #include "support/plot.hpp"
@@ -13,11 +14,9 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,7 +31,7 @@ struct Wish {
   std::string out, experiments = "all";
   bool resume = false;
   std::vector<double> frictions{0.15, 0.3, 0.45, 0.6, 0.75}, stiffness_factors{0.25, 0.5, 1.0, 2.0, 4.0};
-  std::uint64_t replicates = 6, seed = 1, workers = 0;
+  std::uint64_t replicates = 4, seed = 1, workers = 0;
   double limit = 300.0;
 };
 
@@ -40,31 +39,20 @@ struct Wish {
 struct Sweep {
   const char *experiment, *observable, *parameter;
   const char* claim; ///< of the paper, sections 4.4 and 4.5
+  const char *x_label, *y_label;
 };
 constexpr Sweep sweeps[] = {
-    {"oedometer", "modulus_Pa", "normal_stiffness", "the contact stiffness sets it"},
-    {"oedometer", "modulus_Pa", "friction", "friction hardly changes it"},
-    {"angle_of_repose", "angle_deg", "friction", "friction sets it"},
-    {"angle_of_repose", "angle_deg", "normal_stiffness", "stiffness hardly changes it"},
-    {"bulk_density", "bulk_density_kg_m3", "friction", "not among the paper's"},
-    {"bulk_density", "bulk_density_kg_m3", "normal_stiffness", "not among the paper's"},
+    {"oedometer", "modulus_Pa", "normal_stiffness", "the contact stiffness sets it",
+     "normal stiffness of the rock, N/m", "Pa"},
+    {"oedometer", "modulus_Pa", "friction", "friction hardly changes it", "friction of the rock", "Pa"},
+    {"angle_of_repose", "angle_deg", "friction", "friction sets it", "friction of the rock", "degrees"},
+    {"angle_of_repose", "angle_deg", "normal_stiffness", "stiffness hardly changes it",
+     "normal stiffness of the rock, N/m", "degrees"},
+    {"bulk_density", "bulk_density_kg_m3", "friction", "not among the paper's", "friction of the rock",
+     "kg/m3"},
+    {"bulk_density", "bulk_density_kg_m3", "normal_stiffness", "not among the paper's",
+     "normal stiffness of the rock, N/m", "kg/m3"},
 };
-
-struct Mean {
-  double value = 0.0, error = 0.0; ///< mean and its standard error
-};
-Mean mean_of(std::span<const double> values) {
-  Mean out;
-  const auto n = static_cast<double>(values.size());
-  for (const double v : values) {
-    out.value += v / n;
-  }
-  for (const double v : values) {
-    out.error += (v - out.value) * (v - out.value) / (n * (n - 1.0));
-  }
-  out.error = std::sqrt(out.error);
-  return out;
-}
 
 class Work {
 public:
@@ -179,7 +167,7 @@ private:
     const bool friction_varies = of_friction(sweep);
     const std::string name = message(sweep.experiment, "_of_", sweep.parameter);
     Json rows = Json::array();
-    std::vector<double> x, y;
+    std::vector<ex::Level> levels;
     {
       CsvWriter table{folder_ / (name + ".csv"),
                       {sweep.parameter, sweep.observable, "standard_error", "runs"},
@@ -187,27 +175,31 @@ private:
       for (const double step : values_of(sweep)) {
         const double stiffness = friction_varies ? base.normal_stiffness : step * base.normal_stiffness;
         const double friction = friction_varies ? step : base.friction;
-        const auto values = observed(plan, trials, sweep.experiment, sweep.observable, stiffness, friction);
-        const Mean mean = mean_of(values);
         const double value = friction_varies ? friction : stiffness;
-        table.row({value, mean.value, mean.error, static_cast<double>(values.size())});
+        levels.push_back(
+            {value, observed(plan, trials, sweep.experiment, sweep.observable, stiffness, friction)});
+        const auto& runs = levels.back().observed;
+        const ex::MeanOfRuns mean = ex::mean_of_runs(runs);
+        table.row({value, mean.value, mean.error, static_cast<double>(runs.size())});
         rows.push_back(
             {{sweep.parameter, value}, {sweep.observable, mean.value}, {"standard_error", mean.error}});
-        fmt::print("{} {} at {} {:.4g}: {:.4g} +- {:.2g}\n", sweep.experiment, sweep.observable,
+        fmt::print("{} {} at {} {:.4g}: {:.5g} +- {:.2g}\n", sweep.experiment, sweep.observable,
                    sweep.parameter, value, mean.value, mean.error);
-        x.push_back(value);
-        y.push_back(mean.value);
       }
     }
+    const ex::Trend trend = ex::trend(levels);
     summary_["sweeps"][name] = {{"paper", sweep.claim},
                                 {"rows", rows},
-                                {"relative_change_over_the_sweep", y.back() / y.front() - 1.0}};
-    if (!friction_varies) {
-      summary_["sweeps"][name]["exponent_over_the_sweep"] =
-          std::log(y.back() / y.front()) / std::log(x.back() / x.front());
-    }
+                                {"exponent", trend.exponent},
+                                {"exponent_standard_error", trend.error},
+                                {"relative_change", trend.change},
+                                {"relative_change_standard_error", trend.change_error}};
+    fmt::print("{} goes by {}^({:.3f} +- {:.3f}); from {:.4g} to {:.4g} it changes by {:.1f} +- {:.1f} %\n\n",
+               sweep.observable, sweep.parameter, trend.exponent, trend.error, levels.front().parameter,
+               levels.back().parameter, 100.0 * trend.change, 100.0 * trend.change_error);
     save();
-    ex::Panel panel{message(sweep.experiment, ": ", sweep.claim), sweep.parameter, sweep.observable, {}};
+    ex::Panel panel{message(sweep.experiment, ": ", sweep.claim), sweep.x_label, sweep.y_label, {}};
+    panel.log_x = !friction_varies;
     panel.curves.push_back({.file = name + ".csv",
                             .x = sweep.parameter,
                             .y = sweep.observable,
@@ -226,8 +218,9 @@ private:
          {MassConvention::sum_of_spheres, MassConvention::union_of_spheres}) {
       const ex::Plan plan = plan_of({"bulk_density"}, convention);
       ex::Trials trials{plan, campaign_, wish_.limit, wish_.replicates, show_progress_};
-      const Mean mean = mean_of(observed(plan, trials, "bulk_density", "bulk_density_kg_m3",
-                                         rock_.material().normal_stiffness, rock_.material().friction));
+      const ex::MeanOfRuns mean =
+          ex::mean_of_runs(observed(plan, trials, "bulk_density", "bulk_density_kg_m3",
+                                    rock_.material().normal_stiffness, rock_.material().friction));
       const std::string name{to_string(convention)};
       table.row({convention == MassConvention::sum_of_spheres ? 1.0 : 0.0, mean.value, mean.error});
       summary_["mass_conventions"][name] = {{"particle_density_kg_m3", rock_.material().density},
@@ -265,8 +258,9 @@ void run(int argc, char** argv, ex::CrewOfProgram& crew) {
               "go on in a folder that was begun: runs that are kept there are not repeated");
   options.add("experiments", wish.experiments, {"all", "oedometer", "angle_of_repose", "bulk_density"},
               "which");
-  options.add("frictions", wish.frictions, {0.0, 10.0}, "at which runs are made");
-  options.add("stiffness_factors", wish.stiffness_factors, {1e-3, 1e3}, "on rock.normal_stiffness, likewise");
+  options.add_series("frictions", wish.frictions, 2, {1e-3, 10.0}, "at which runs are made, ascending");
+  options.add_series("stiffness_factors", wish.stiffness_factors, 2, {1e-3, 1e3},
+                     "on rock.normal_stiffness, likewise");
   options.add("replicates", wish.replicates, {2.0, 1e4}, "of each run");
   options.add("seed", wish.seed, {0.0, 9e15}, "of the first replicate; the others follow");
   options.add("limit", wish.limit, {1e-3, 1e6, "s"},

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -45,6 +46,12 @@ public:
   void add(std::string name, std::vector<double>& value, const Range& range, std::string doc,
            Provenance from = Provenance::ours) {
     entries_.push_back({std::move(name), group_, std::move(doc), from, range, {}, &value});
+  }
+  /// The same of any length, but of `fewest` numbers at least, 1 or more.
+  void add_series(std::string name, std::vector<double>& value, std::size_t fewest, const Range& range,
+                  std::string doc, Provenance from = Provenance::ours) {
+    add(std::move(name), value, range, std::move(doc), from);
+    entries_.back().fewest = fewest;
   }
   /// A text; one of `choices` unless there are none.
   void add(std::string name, std::string& value, std::vector<std::string> choices, std::string doc,

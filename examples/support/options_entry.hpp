@@ -48,6 +48,7 @@ struct OptionsEntry {
   std::vector<std::string> choices;
   std::variant<double*, std::uint64_t*, bool*, std::string*, std::vector<double>*> value;
   bool repeatable = false; ///< a text that may be given several times, which a comma then joins
+  std::size_t fewest = 0;  ///< numbers in a list of any length; 0: as many as it has by default
 
   /// What the help shows for the value.
   [[nodiscard]] std::string kind() const {
@@ -146,8 +147,9 @@ struct OptionsEntry {
   }
   void set_list(const std::vector<double>& numbers, const std::string& where) {
     auto& list = *std::get<std::vector<double>*>(value);
-    if (numbers.size() != list.size()) {
-      throw Error(message(where, name, ": ", numbers.size(), " numbers, but it takes ", list.size()));
+    if (fewest == 0 ? numbers.size() != list.size() : numbers.size() < fewest) {
+      throw Error(message(where, name, ": ", numbers.size(), " numbers, but it takes ",
+                          fewest == 0 ? message(list.size()) : message(fewest, " or more")));
     }
     for (std::size_t k = 0; k < numbers.size(); ++k) {
       require(message(where, name, "[", k, "]"), numbers[k], range);

@@ -40,6 +40,7 @@ struct Panel {
   std::string title, x_label, y_label; ///< with units
   std::vector<Curve> curves;
   std::vector<StatedPoint> points{};
+  bool log_x = false; ///< whether equal factors of x are equally far apart
 };
 
 namespace detail {
@@ -57,8 +58,9 @@ inline std::string gnuplot_text(std::string_view text) {
 inline std::string panel_commands(const Panel& panel) {
   // Blue, vermilion, green and purple of Okabe & Ito (2008), which colour-blind readers tell apart.
   static constexpr std::array<const char*, 4> colours{"#0072b2", "#d55e00", "#009e73", "#cc79a7"};
-  std::string out = fmt::format("set title {}\nset xlabel {}\nset ylabel {}\n", gnuplot_text(panel.title),
-                                gnuplot_text(panel.x_label), gnuplot_text(panel.y_label));
+  std::string out =
+      fmt::format("set title {}\nset xlabel {}\nset ylabel {}\n{} logscale x\n", gnuplot_text(panel.title),
+                  gnuplot_text(panel.x_label), gnuplot_text(panel.y_label), panel.log_x ? "set" : "unset");
   std::string parts, data;
   for (std::size_t n = 0; n < panel.curves.size(); ++n) {
     const Curve& c = panel.curves[n];
@@ -102,7 +104,7 @@ inline std::string plot_script(const std::string& name, const std::string& title
   std::string body = fmt::format(
       "set encoding utf8\nset multiplot layout {},{} title {} font ',14'\n"
       "set datafile separator ','\nset datafile commentschars '#'\n"
-      "set border 3 lc rgb '#404040'\nset tics nomirror out scale 0.6\n"
+      "set border 3 lc rgb '#404040'\nset tics nomirror out scale 0.6\nset format '%g'\n"
       "set grid lt 1 lw 0.6 lc rgb '#dddddd'\nset autoscale noextend\nset offsets graph 0, graph 0.02, graph "
       "0.07, graph 0.05\n"
       "set key at graph 0, graph -0.24 left top Left reverse vertical maxrows 3 samplen 2 width 2\n"

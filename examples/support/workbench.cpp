@@ -64,11 +64,13 @@ void Workbench::plot(const std::string& name, const std::string& title, const st
 void Workbench::view(const std::string& name, const Simulation<>& simulation,
                      const Eigen::AlignedBox3d& scene, bool cut, const std::string& caption,
                      const std::function<void(Renderer&)>& add) {
+  // Above the scene there is room for grains that stick out, and for the caption above these.
+  const double across = scene.sizes().x(), below = 0.05 * across, above = 0.12 * across;
   Camera camera;
-  camera.target = scene.center();
-  camera.width = 1.08 * scene.sizes().x();
+  camera.target = scene.center() + 0.5 * (above - below) * Vector::UnitZ();
+  camera.width = 1.08 * across;
   constexpr int width = 1400;
-  const double aspect = (scene.sizes().z() + 0.1 * scene.sizes().x()) / camera.width;
+  const double aspect = (scene.sizes().z() + below + above) / camera.width;
   Renderer renderer{width, std::clamp(static_cast<int>(width * aspect), 400, 2 * width), camera};
   if (cut) {
     renderer.cut({scene.center().cwiseProduct(Vector{1.0, 0.0, 1.0}), -Vector::UnitY()});

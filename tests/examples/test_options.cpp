@@ -33,7 +33,7 @@ struct Bed {
   double slope = 0.0;
   std::uint64_t seed = 1;
   bool drained = true;
-  std::vector<double> sieves{9.5, 13.2, 19.0};
+  std::vector<double> sieves{9.5, 13.2, 19.0}, depths{0.1, 0.2};
 
   [[nodiscard]] Options options() {
     Options options{"drag", "A bucket digs."};
@@ -45,6 +45,7 @@ struct Bed {
     options.add("bed.seed", seed, {0.0, 9e15}, "of all random numbers");
     options.add("bed.drained", drained, "whether water runs off");
     options.add("bed.sieves", sieves, {0.1, 100.0, "mm"}, "openings");
+    options.add_series("bed.depths", depths, 2, {0.0, 1.0, "m"}, "looked at");
     return options;
   }
 
@@ -230,6 +231,17 @@ TEST_CASE("the help lists every parameter with unit, default, range and source")
   }
 }
 
+TEST_CASE("a series takes any number of values from its fewest on, also from its own file") {
+  const ScratchFolder folder;
+  Bed bed;
+  bed.parse({"--bed.depths", "0.3,0.2,0.1,0"});
+  CHECK(bed.depths == std::vector<double>{0.3, 0.2, 0.1, 0.0});
+  bed.options().write_toml(folder / "input.toml");
+  Bed again;
+  again.parse({"--config", (folder / "input.toml").string()});
+  CHECK(again == bed);
+}
+
 TEST_CASE("the command line is refused in one line that names the parameter") {
   CHECK(refusal({"--bed.length", "20"}) == "command line: --bed.length = 20 m is outside [0.1, 10] m");
   CHECK(refusal({"--bed.length", "nan"}) == "command line: --bed.length = nan is not a finite number");
@@ -245,6 +257,7 @@ TEST_CASE("the command line is refused in one line that names the parameter") {
   CHECK(refusal({"--bed.drained", "yes"}) == "command line: --bed.drained = yes is not true or false");
   CHECK(refusal({"--shape", "cone"}) == "command line: --shape = \"cone\" is not one of box, heap");
   CHECK(refusal({"--bed.sieves", "1,2"}) == "command line: --bed.sieves: 2 numbers, but it takes 3");
+  CHECK(refusal({"--bed.depths", "1"}) == "command line: --bed.depths: 1 numbers, but it takes 2 or more");
   CHECK(refusal({"--bed.sieves", "1,,2"}) ==
         "command line: --bed.sieves = 1,,2 is not a list of numbers with commas between them");
   CHECK(refusal({"--bed.sieves", "1,200,3"}) ==

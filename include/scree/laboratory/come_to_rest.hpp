@@ -3,6 +3,7 @@
 /// Waiting until grains lie still.
 
 #include "scree/core/error.hpp"
+#include "scree/material/material.hpp"
 #include "scree/measure/unbalanced_force.hpp"
 #include "scree/simulation/run.hpp"
 
