@@ -172,7 +172,7 @@ std::string drag() {
   return base("5e3", "3e4") + rock + single_rocks("1000", "12.0") +
          container("bulk_density", "0.13", "0.13") + tamped("tamped", "0.13", "0.13", "0.3") +
          oedometer("oedometer", "0.13", "0.105", std::string{"fill.surplus = 0.5\n"} + light) +
-         short_drag("drag", "0.5") + short_drag("drag_faster", "0.9", held_out);
+         short_drag("drag", "0.9") + short_drag("drag_slower", "0.5", held_out);
 }
 
 std::vector<Reading> readings(const std::string& plan, std::size_t replicates) {
@@ -182,7 +182,7 @@ std::vector<Reading> readings(const std::string& plan, std::size_t replicates) {
                            {"tilt_test", replicates, 0.0, 0.3}};
   if (plan == "drag") {
     out.push_back({"drag", replicates, 1e-2, 0.0});
-    out.push_back({"drag_faster", replicates, 1e-2, 0.0});
+    out.push_back({"drag_slower", replicates, 1e-2, 0.0});
   } else if (plan == "micro") {
     out.push_back({"lightly_tamped", replicates, 1e-3, 0.0});
     out.push_back({"drop_between", replicates, 5e-3, 0.0});
