@@ -50,19 +50,20 @@ Json described(const Plan& plan, const JointFit& fit) {
 
 Json described(const Plan& plan, const OneByOneFit& fit, const std::filesystem::path& folder) {
   CsvWriter table{folder / "one_by_one.csv",
-                  {"round", "step", "iteration", "value", "observed", "deviation"},
-                  "Deviations are logarithmic where observables are compared by their logarithm."};
+                  {"round", "step", "iteration", "value", "observed", "deviation", "standard_error"},
+                  "Deviations and errors are logarithmic where observables are compared by their logarithm."};
   const auto measured = plan.measured();
   Json out;
   for (const FitIteration& i : fit.history) {
     table.row({static_cast<double>(i.round + 1), static_cast<double>(i.step + 1),
-               static_cast<double>(i.iteration + 1), i.value, i.observed, i.deviation});
+               static_cast<double>(i.iteration + 1), i.value, i.observed, i.deviation, i.error});
     out["iterations"].push_back({{"round", i.round + 1},
                                  {"parameter", plan.space[plan.steps[i.step].parameter].name},
                                  {"value", i.value},
                                  {"observable", measured[plan.steps[i.step].observable].name},
                                  {"observed", i.observed},
-                                 {"deviation", i.deviation}});
+                                 {"deviation", i.deviation},
+                                 {"standard_error", i.error}});
   }
   for (std::size_t k = 0; k < plan.space.size(); ++k) {
     out["parameters"][plan.space[k].name] = {{"unit", plan.space[k].unit}, {"estimate", fit.parameters[k]}};

@@ -40,17 +40,18 @@ struct Sweep {
   const char *experiment, *observable, *parameter;
   const char* claim; ///< of the paper, sections 4.4 and 4.5
   const char *x_label, *y_label;
+  double factor = 1.0; ///< from the observable to what the plot shows
 };
 constexpr Sweep sweeps[] = {
     {"oedometer", "modulus_Pa", "normal_stiffness", "the contact stiffness sets it",
-     "normal stiffness of the rock, N/m", "Pa"},
-    {"oedometer", "modulus_Pa", "friction", "friction hardly changes it", "friction of the rock", "Pa"},
+     "normal stiffness of the rock, N/m", "kPa", 1e-3},
+    {"oedometer", "modulus_Pa", "friction", "friction hardly changes it", "friction of the rock", "kPa",
+     1e-3},
     {"angle_of_repose", "angle_deg", "friction", "friction sets it", "friction of the rock", "degrees"},
     {"angle_of_repose", "angle_deg", "normal_stiffness", "stiffness hardly changes it",
      "normal stiffness of the rock, N/m", "degrees"},
-    {"bulk_density", "bulk_density_kg_m3", "friction", "not among the paper's", "friction of the rock",
-     "kg/m3"},
-    {"bulk_density", "bulk_density_kg_m3", "normal_stiffness", "not among the paper's",
+    {"bulk_density", "bulk_density_kg_m3", "friction", "nothing said", "friction of the rock", "kg/m3"},
+    {"bulk_density", "bulk_density_kg_m3", "normal_stiffness", "nothing said",
      "normal stiffness of the rock, N/m", "kg/m3"},
 };
 
@@ -198,12 +199,14 @@ private:
                sweep.observable, sweep.parameter, trend.exponent, trend.error, levels.front().parameter,
                levels.back().parameter, 100.0 * trend.change, 100.0 * trend.change_error);
     save();
-    ex::Panel panel{message(sweep.experiment, ": ", sweep.claim), sweep.x_label, sweep.y_label, {}};
+    ex::Panel panel{
+        message(sweep.experiment, "; the paper: ", sweep.claim), sweep.x_label, sweep.y_label, {}};
     panel.log_x = !friction_varies;
     panel.curves.push_back({.file = name + ".csv",
                             .x = sweep.parameter,
                             .y = sweep.observable,
                             .title = "mean and its standard error",
+                            .factor = sweep.factor,
                             .error = "standard_error"});
     panels_.push_back(std::move(panel));
   }

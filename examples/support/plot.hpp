@@ -58,9 +58,17 @@ inline std::string gnuplot_text(std::string_view text) {
 inline std::string panel_commands(const Panel& panel) {
   // Blue, vermilion, green and purple of Okabe & Ito (2008), which colour-blind readers tell apart.
   static constexpr std::array<const char*, 4> colours{"#0072b2", "#d55e00", "#009e73", "#cc79a7"};
-  std::string out =
-      fmt::format("set title {}\nset xlabel {}\nset ylabel {}\n{} logscale x\n", gnuplot_text(panel.title),
-                  gnuplot_text(panel.x_label), gnuplot_text(panel.y_label), panel.log_x ? "set" : "unset");
+  std::string tics = "autofreq";
+  if (panel.log_x) { // gnuplot's own are whole decades only, of which few panels have two
+    tics.clear();
+    for (int decade = -9; decade <= 12; ++decade) {
+      tics += fmt::format("{}1e{},2e{},5e{}", tics.empty() ? "(" : ",", decade, decade, decade);
+    }
+    tics += ")";
+  }
+  std::string out = fmt::format("set title {}\nset xlabel {}\nset ylabel {}\n{} logscale x\nset xtics {}\n",
+                                gnuplot_text(panel.title), gnuplot_text(panel.x_label),
+                                gnuplot_text(panel.y_label), panel.log_x ? "set" : "unset", tics);
   std::string parts, data;
   for (std::size_t n = 0; n < panel.curves.size(); ++n) {
     const Curve& c = panel.curves[n];

@@ -66,6 +66,11 @@ TEST_CASE("one by one meets what was measured in two rounds, the density in at m
     CHECK(fit.parameters[0] == doctest::Approx(truth[0]).epsilon(0.03));
     CHECK(fit.parameters[1] == doctest::Approx(truth[1]).epsilon(0.15));
     CHECK(std::abs(fit.parameters[2] - truth[2]) < 0.05);
+    // Packings differ by 0.5 % and 5 %; in degrees by 0.3.
+    for (const FitIteration& i : fit.history) {
+      const double single = i.step == 0 ? 0.005 : i.step == 1 ? 0.05 : 0.3;
+      CHECK(i.error == doctest::Approx(single / std::sqrt(20.0)).epsilon(0.4));
+    }
     // The last row of each step is what its tolerance says.
     for (std::size_t s = 0; s < 3; ++s) {
       double last = 1.0;

@@ -76,6 +76,16 @@ std::vector<Places> places_behind(const std::string& svg, std::string_view begin
 
 } // namespace
 
+TEST_CASE("a panel has its x in logarithms where it asks for that, and the next one has not") {
+  std::vector<Panel> both = panels();
+  both.front().log_x = true;
+  const std::string script = plot_script("p", "t", both);
+  const auto on = script.find("\nset logscale x\n"), off = script.find("\nunset logscale x\n");
+  CHECK(on != std::string::npos);
+  CHECK(off != std::string::npos);
+  CHECK(on < off);
+}
+
 TEST_CASE("curves and points stand where the named columns and the stated values put them") {
   if (gnuplot_is_missing()) {
     return;

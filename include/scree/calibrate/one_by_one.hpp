@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -38,6 +39,7 @@ struct FitIteration {
   double value = 0.0;                             ///< of the step's parameter
   double observed = 0.0;  ///< mean of the replicates; of their logarithms where these are compared, undone
   double deviation = 0.0; ///< of that from what was measured, in terms of the tolerance's unit
+  double error = 0.0;     ///< standard error of that mean, in the same unit; 0 for a single replicate
 };
 
 struct OneByOneFit {
@@ -48,9 +50,11 @@ struct OneByOneFit {
 };
 
 /// Steps go in the order given, and all of them again in each round. The replicates of a step have the same
-/// seeds in every iteration, so that the same packings are compared and few iterations are enough: the first
-/// guess changes the parameter in proportion (or by a tenth of its space where the observable is not compared
-/// by its logarithm), the next go by the secant.
+/// seeds in every iteration: the first guess changes the parameter in proportion (or by a tenth of its space
+/// where the observable is not compared by its logarithm), the next go by the secant. Few iterations are
+/// enough where a seed gives the same packing at other parameters too. Poured grains do not quite: they are
+/// chaotic, and another density moves them otherwise. A tolerance below the standard error of the replicates'
+/// mean is then met by chance only, and takes more replicates.
 ///
 /// The result says nothing of its own uncertainty; `JointCalibration` does.
 class OneByOneCalibration {
@@ -128,10 +132,10 @@ private:
     std::vector<Trial> trials;
     for (std::size_t k = 0; k < step.most_iterations; ++k) {
       out.parameters[step.parameter] = parameter.value(share);
-      const double seen = observed(out, step, s, batch);
+      const auto [seen, error] = observed(out, step, s, batch);
       trials.push_back({share, seen - target});
       out.history.push_back({round, s, k, out.parameters[step.parameter],
-                             measured.logarithmic ? std::exp(seen) : seen, seen - target});
+                             measured.logarithmic ? std::exp(seen) : seen, seen - target, error});
       if (std::abs(seen - target) <= step.tolerance) {
         return true;
       }
@@ -148,16 +152,18 @@ private:
     return false;
   }
 
-  /// Mean of the replicates, as compared.
-  double observed(OneByOneFit& out, const FitStep& step, std::size_t s, const RunBatch& batch) const {
+  struct Seen {
+    double mean, error;
+  };
+  /// Mean of the replicates, as compared, and its standard error.
+  Seen observed(OneByOneFit& out, const FitStep& step, std::size_t s, const RunBatch& batch) const {
     Random random{setup_.seed, message("one by one, step ", s)};
     std::vector<RunRequest> requests;
     for (std::size_t k = 0; k < setup_.replicates; ++k) {
       requests.push_back({out.parameters, random.index(std::size_t{1} << 53U), {step.observable}});
     }
     const std::vector<RunOutcome> outcomes = batch(requests);
-    double sum = 0.0;
-    std::size_t count = 0;
+    std::vector<double> seen;
     std::string reason;
     for (const RunOutcome& outcome : outcomes) {
       ++out.runs;
@@ -166,14 +172,19 @@ private:
         reason = outcome.failure;
         continue;
       }
-      sum += measured_[step.observable].compared(outcome.observed.at(step.observable));
-      ++count;
+      seen.push_back(measured_[step.observable].compared(outcome.observed.at(step.observable)));
     }
-    if (count == 0) {
+    if (seen.empty()) {
       throw Error(message("one by one: all ", outcomes.size(), " runs for ", measured_[step.observable].name,
                           " failed: ", reason));
     }
-    return sum / static_cast<double>(count);
+    const auto n = static_cast<double>(seen.size());
+    const double mean = std::accumulate(seen.begin(), seen.end(), 0.0) / n;
+    double squares = 0.0;
+    for (const double v : seen) {
+      squares += (v - mean) * (v - mean);
+    }
+    return {mean, n > 1.0 ? std::sqrt(squares / (n * (n - 1.0))) : 0.0};
   }
 
   std::vector<Parameter> space_;
