@@ -1,5 +1,6 @@
 #include "report.hpp"
 
+#include "scree/geometry/mesh_measures.hpp"
 #include "scree/io/csv.hpp"
 #include "scree/io/xml_text.hpp"
 #include "support/plot.hpp"
@@ -34,7 +35,7 @@ Interval interval(const Effect& e, double freedom, bool as_factor) {
 std::string text(const Interval& i, const char* form) {
   const auto number = [&](double v) { return fmt::format(fmt::runtime(form), v); };
   if (!std::isfinite(i.low)) {
-    return number(i.value) + " (one run each: no interval)";
+    return number(i.value) + " (no interval)";
   }
   return number(i.value) + " (" + number(i.low) + " to " + number(i.high) + ")";
 }
@@ -49,6 +50,10 @@ bool clear(const Interval& i, double null) {
 /// Of the gap, in logarithms, so that shares of factors that multiply add up.
 double share(const Effect& e) {
   return e.value / std::log(gap);
+}
+
+const char* scatter_of(const Analysis& a) {
+  return a.replicated ? "replicates" : "what main effects leave, as there are no replicates";
 }
 
 const char* level_of(const Levels& levels, std::size_t f) {
@@ -187,19 +192,23 @@ std::string motions_table(const Report& r) {
   std::string out =
       "<table><tr><th>bucket<th>runs<th>force at 0.3 of the way, N<th>over 150 N<th>force over the "
       "last tenth, N<th>over 500 N<th>pitch at 0.3, degrees<th>depth at 0.3, mm<th>depth at the "
-      "end, mm<th>mass, kg<th>lift at the end, N</tr>\n";
+      "end, mm<th>mass, kg<th>of a full bucket<th>lift at the end, N</tr>\n";
+  std::vector<std::string> remarks;                                         // in the program `drag`
+  const double interior = volume(r.base.dragline.bucket(remarks).interior); // m3
   for (const MotionFinding& m : r.findings.motions) {
     const auto scaled = [](const Mean& mean, double factor) {
       return Mean{mean.value * factor, mean.error * factor};
     };
-    out += "<tr>" + cell(name(m.motion)) + cell(fmt::format("{}", m.runs)) +
-           cell(text(m.mean[force_near], "{:.0f}")) +
-           cell(text(scaled(m.mean[force_near], 1.0 / stated.force_near), "{:.2f}")) +
-           cell(text(m.mean[force_end], "{:.0f}")) +
-           cell(text(scaled(m.mean[force_end], 1.0 / stated.force_end), "{:.2f}")) +
-           cell(text(m.mean[pitch_near], "{:.1f}")) + cell(text(scaled(m.mean[depth_near], 1e3), "{:.0f}")) +
-           cell(text(scaled(m.mean[depth_end], 1e3), "{:.0f}")) + cell(text(m.mean[mass_end], "{:.1f}")) +
-           cell(text(m.mean[lift_end], "{:.0f}")) + "</tr>\n";
+    out +=
+        "<tr>" + cell(name(m.motion)) + cell(fmt::format("{}", m.runs)) +
+        cell(text(m.mean[force_near], "{:.0f}")) +
+        cell(text(scaled(m.mean[force_near], 1.0 / stated.force_near), "{:.2f}")) +
+        cell(text(m.mean[force_end], "{:.0f}")) +
+        cell(text(scaled(m.mean[force_end], 1.0 / stated.force_end), "{:.2f}")) +
+        cell(text(m.mean[pitch_near], "{:.1f}")) + cell(text(scaled(m.mean[depth_near], 1e3), "{:.0f}")) +
+        cell(text(scaled(m.mean[depth_end], 1e3), "{:.0f}")) + cell(text(m.mean[mass_end], "{:.1f}")) +
+        cell(text(scaled(m.mean[mass_end], 1.0 / (interior * m.mean[bulk_density_kg_m3].value)), "{:.2f}")) +
+        cell(text(m.mean[lift_end], "{:.0f}")) + "</tr>\n";
   }
   return out + "</table>\n";
 }
@@ -306,6 +315,12 @@ std::vector<std::string> sentences(const Report& r) {
   if (!unclear.empty()) {
     out.push_back("No effect beyond the noise at the end of the way: " + unclear + ".");
   }
+  if (std::isfinite(f.log_force_end.scatter)) {
+    out.push_back(fmt::format(
+        "A single run is off by a factor of {:.2f} at the end of the way and of {:.2f} at 0.3 of it (one "
+        "standard deviation, from {}).",
+        std::exp(f.log_force_end.scatter), std::exp(f.log_force_near.scatter), scatter_of(f.log_force_end)));
+  }
   if (f.log_force_end.main.empty()) {
     out.emplace_back("There are too few runs of the design for effects.");
   }
@@ -393,7 +408,9 @@ Json summary(const Report& r) {
         {"force_near", json(f.log_force_near.interactions[k], f.log_force_near, true)},
         {"force_end", json(f.log_force_end.interactions[k], f.log_force_end, true)}};
   }
-  out["scatter_of_log_force"] = {{"near", f.log_force_near.scatter}, {"end", f.log_force_end.scatter}};
+  out["scatter_of_log_force"] = {{"near", f.log_force_near.scatter},
+                                 {"end", f.log_force_end.scatter},
+                                 {"from", scatter_of(f.log_force_end)}};
   out["depth_from_pitch"] = {{"runs", f.depth.runs},
                              {"near_m", json(f.depth.found_near)},
                              {"near_by_pitch_m", json(f.depth.by_pitch_near)},
@@ -418,10 +435,10 @@ std::string page(const Report& r, const std::string& figure) {
       "N at 1 m. Their simulation gave the first and almost three times the second, with a pitch of -10 "
       "degrees at 0.3 m "
       "where -6.5 degrees was measured.</p>\n";
-  out += fmt::format(
-      "<p>{} fidelity, {} of {} runs, {} of them failed. Intervals hold 95 %, from the scatter of "
-      "replicates.</p>\n<ul>\n",
-      xml_escaped(r.fidelity), r.runs.size(), r.planned, f.failed);
+  out +=
+      fmt::format("<p>{} fidelity, {} of {} runs, {} of them failed. Intervals hold 95 %, from the scatter "
+                  "of {}.</p>\n<ul>\n",
+                  xml_escaped(r.fidelity), r.runs.size(), r.planned, f.failed, scatter_of(f.log_force_end));
   for (const std::string& s : sentences(r)) {
     out += "<li>" + xml_escaped(s) + "</li>\n";
   }

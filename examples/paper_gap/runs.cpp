@@ -99,9 +99,9 @@ const char* name(Motion motion) {
 Base::Base(bool desk) : rock{desk}, rig{rock.rig()}, dragline{desk} {
   if (desk) {
     DragSetup& s = dragline.setup;
-    s.bed_length = 1.7;
+    s.bed_length = 1.75;
     s.bed_width = 0.36;
-    s.bed_depth = 0.24;
+    s.bed_depth = 0.3;
     s.rope_stiffness = 2.5e4;
     rock.set_size_factor(1.6);
     rock.set_spring(5e4);
