@@ -57,7 +57,7 @@ struct Analysis {
   /// leave, and holds effects of several factors together too.
   bool replicated = false;
   std::vector<Effect> main{};         ///< by factor; empty where runs of the design are lacking for them
-  std::vector<Effect> interactions{}; ///< by alias group; empty unless there are all runs
+  std::vector<Effect> interactions{}; ///< by alias group; empty likewise
 };
 
 /// By least squares, each replicate counting once. Values that are no numbers are left out.
