@@ -134,21 +134,30 @@ std::string write_curves(const Report& r, const std::filesystem::path& folder) {
   }
   const double way = r.base.dragline.setup.drag_distance;
   std::vector<examples::Panel> panels;
+  // Four colours: the path that stays steep is in the table only.
+  struct Drawn {
+    Motion motion;
+    const char* label;
+  };
+  static constexpr std::array drawn{Drawn{Motion::free, "free"}, Drawn{Motion::measured, "measured pitch"},
+                                    Drawn{Motion::simulated, "the DEM's pitch"},
+                                    Drawn{Motion::measured_sinks, "measured, free depth"}};
   static constexpr std::array<const char*, columns.size()> labels{"force, N", "pitch, degrees", "depth, m",
                                                                   "mass in the bucket, kg"};
   for (std::size_t c = 0; c < columns.size(); ++c) {
     examples::Panel panel{labels[c], "drag, m", labels[c], {}};
-    // Four colours: the path that stays steep is in the table only.
-    for (const std::size_t m : {0U, 1U, 3U, 4U}) {
-      panel.curves.push_back({"curves.csv", "drag_m", message(columns[c].name, "_", m), name(motions[m])});
+    for (const Drawn& one : drawn) {
+      panel.curves.push_back({"curves.csv", "drag_m",
+                              message(columns[c].name, "_", static_cast<std::size_t>(one.motion)),
+                              one.label});
     }
     panels.push_back(std::move(panel));
   }
   panels[0].points = {{0.3 * way, stated.force_near, "stated, measured"},
                       {way, stated.force_end, "stated, measured"},
-                      {way, stated.simulated_end, "stated, the paper's DEM", 1}};
+                      {way, stated.simulated_end, "stated, DEM", 1}};
   panels[1].points = {{0.3 * way, stated.pitch_near, "stated, measured"},
-                      {0.3 * way, stated.simulated_near, "stated, the paper's DEM", 1}};
+                      {0.3 * way, stated.simulated_near, "stated, DEM", 1}};
   return examples::draw_plot(folder, "paper_gap", "All factors low: free, and along replayed paths", panels);
 }
 
@@ -439,10 +448,10 @@ std::string page(const Report& r, const std::string& figure) {
       "N at 1 m. Their simulation gave the first and almost three times the second, with a pitch of -10 "
       "degrees at 0.3 m "
       "where -6.5 degrees was measured.</p>\n";
-  out +=
-      fmt::format("<p>{} fidelity, {} of {} runs, {} of them failed. Intervals hold 95 %, from the scatter "
-                  "of {}.</p>\n<ul>\n",
-                  xml_escaped(r.fidelity), r.runs.size(), r.planned, f.failed, scatter_of(f.log_force_end));
+  out += fmt::format(
+      "<p>At {} fidelity; {} of {} runs, {} of them failed. Intervals hold 95 %, from the scatter "
+      "of {}.</p>\n<ul>\n",
+      xml_escaped(r.fidelity), r.runs.size(), r.planned, f.failed, scatter_of(f.log_force_end));
   for (const std::string& s : sentences(r)) {
     out += "<li>" + xml_escaped(s) + "</li>\n";
   }

@@ -5,6 +5,9 @@
 #include "scree/core/error.hpp"
 #include "scree/laboratory/drag_pieces.hpp"
 
+// Boost 1.74's pchip calls isnan without saying where from: NOLINTNEXTLINE(modernize-deprecated-headers)
+#include <math.h>
+
 #include <boost/math/interpolators/pchip.hpp>
 
 #include <cmath>
