@@ -224,8 +224,9 @@ private:
     const std::filesystem::path& folder = folders_.own;
     const std::string complaint = paper_gap::write_tables(r, folder);
     fmt::print(stderr, "{}", complaint);
-    const std::string figure =
-        complaint.empty() ? read_text(folder / "paper_gap.svg", std::size_t{1} << 26U) : std::string{};
+    const std::string figure = complaint.empty() && std::filesystem::exists(folder / "paper_gap.svg")
+                                   ? read_text(folder / "paper_gap.svg", std::size_t{1} << 26U)
+                                   : std::string{};
     write_atomically(folder / "paper_gap.html",
                      paper_gap::page(r, figure.substr(std::min(figure.size(), figure.find("<svg")))));
     Json summary = head_;
@@ -272,6 +273,7 @@ void run(int argc, char** argv, ex::CrewOfProgram& crew) {
               "after which no run begins and the report is made of what there is; 0: as long as it takes");
   base.bind(options);
   options.parse(argc, argv);
+  (void)paper_gap::path_of(base, {.levels = {}, .motion = paper_gap::Motion::measured}); // before any run
   Work{wish, options, base, crew}();
 }
 

@@ -81,7 +81,7 @@ void write_runs(const Report& r, const std::filesystem::path& file) {
   CsvWriter table{file, columns, comment};
   for (const Done& run : r.runs) {
     if (!run.outcome) {
-      continue;
+      continue; // its reason is in summary.json
     }
     const bool replayed = run.of.motion == Motion::free && run.of.levels[5] > 0;
     const Motion motion = replayed ? Motion::measured : run.of.motion;
@@ -97,7 +97,7 @@ void write_runs(const Report& r, const std::filesystem::path& file) {
   }
 }
 
-/// Means over the replicates with all factors low, by motion.
+/// Means over the replicates with all factors low, by motion; of those that came to their end.
 std::string write_curves(const Report& r, const std::filesystem::path& folder) {
   struct Column {
     const char* name;
@@ -106,10 +106,19 @@ std::string write_curves(const Report& r, const std::filesystem::path& folder) {
   static constexpr std::array columns{Column{"force_N", &Outcome::force},
                                       Column{"pitch_deg", &Outcome::pitch},
                                       Column{"depth_m", &Outcome::depth}, Column{"mass_kg", &Outcome::mass}};
+  std::vector<Motion> there;
+  for (const MotionFinding& m : r.findings.motions) {
+    if (m.runs > 0) {
+      there.push_back(m.motion);
+    }
+  }
+  const auto column = [](const Column& c, Motion motion) {
+    return message(c.name, "_", static_cast<std::size_t>(motion));
+  };
   std::vector<std::string> names{"drag_m"};
   for (const Column& c : columns) {
-    for (std::size_t m = 0; m < motions.size(); ++m) {
-      names.push_back(message(c.name, "_", m));
+    for (const Motion motion : there) {
+      names.push_back(column(c, motion));
     }
   }
   {
@@ -119,7 +128,7 @@ std::string write_curves(const Report& r, const std::filesystem::path& folder) {
     for (std::size_t k = 0; k < pieces; ++k) {
       std::vector<double> row{r.base.dragline.setup.drag_distance * (static_cast<double>(k) + 0.5) / pieces};
       for (const Column& c : columns) {
-        for (const Motion motion : motions) {
+        for (const Motion motion : there) {
           std::vector<double> values;
           for (const Done& run : r.runs) {
             if (run.run == 0 && run.of.motion == motion && run.outcome) {
@@ -147,9 +156,9 @@ std::string write_curves(const Report& r, const std::filesystem::path& folder) {
   for (std::size_t c = 0; c < columns.size(); ++c) {
     examples::Panel panel{labels[c], "drag, m", labels[c], {}};
     for (const Drawn& one : drawn) {
-      panel.curves.push_back({"curves.csv", "drag_m",
-                              message(columns[c].name, "_", static_cast<std::size_t>(one.motion)),
-                              one.label});
+      if (std::find(there.begin(), there.end(), one.motion) != there.end()) {
+        panel.curves.push_back({"curves.csv", "drag_m", column(columns[c], one.motion), one.label});
+      }
     }
     panels.push_back(std::move(panel));
   }
@@ -158,6 +167,9 @@ std::string write_curves(const Report& r, const std::filesystem::path& folder) {
                       {way, stated.simulated_end, "stated, DEM", 1}};
   panels[1].points = {{0.3 * way, stated.pitch_near, "stated, measured"},
                       {0.3 * way, stated.simulated_near, "stated, DEM", 1}};
+  if (there.empty()) {
+    return {};
+  }
   return examples::draw_plot(folder, "paper_gap", "All factors low: free, and along replayed paths", panels);
 }
 
@@ -176,8 +188,16 @@ void write_effects(const Report& r, const std::filesystem::path& file) {
   const auto rows = [&](const std::vector<Effect>& near, const std::vector<Effect>& end,
                         const std::vector<Effect>& pitch, std::size_t first) {
     for (std::size_t k = 0; k < std::min({near.size(), end.size(), pitch.size()}); ++k) {
-      table.row({static_cast<double>(first + k), near[k].value, near[k].error, end[k].value, end[k].error,
-                 pitch[k].value, pitch[k].error});
+      const std::vector<double> row{static_cast<double>(first + k),
+                                    near[k].value,
+                                    near[k].error,
+                                    end[k].value,
+                                    end[k].error,
+                                    pitch[k].value,
+                                    pitch[k].error};
+      if (std::all_of(row.begin(), row.end(), [](double v) { return std::isfinite(v); })) {
+        table.row(row);
+      }
     }
   };
   rows(f.log_force_near.main, f.log_force_end.main, f.pitch_near.main, 1);
