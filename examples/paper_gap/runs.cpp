@@ -2,10 +2,9 @@
 
 #include "support/default_simulation.hpp"
 
+#include "scree/core/monotone_cubic.hpp"
 #include "scree/laboratory/digging_path.hpp"
 #include "scree/laboratory/drag_test.hpp"
-
-#include <boost/math/interpolators/pchip.hpp>
 
 #include <numbers>
 #include <utility>
@@ -151,7 +150,7 @@ BucketPath path_of(const Base& base, const Case& of) {
   for (double& a : angle) {
     a *= degree;
   }
-  const boost::math::interpolators::pchip<std::vector<double>> curve{std::move(at), std::move(angle)};
+  const MonotoneCubic curve = monotone_cubic(std::move(at), std::move(angle));
   const auto pitch = [&](double drag) { return drag > 0.0 ? curve(drag) : 0.0; };
   if (of.motion != Motion::measured_sinks) {
     return digging_path(pitch, distance, floor_of(base));
@@ -224,7 +223,7 @@ double depth_by_pitch(const Base& base, const Outcome& run, double share) {
   }
   at.push_back(2.0 * distance + 1.0);
   pitch.push_back(pitch.back());
-  const boost::math::interpolators::pchip<std::vector<double>> curve{std::move(at), std::move(pitch)};
+  const MonotoneCubic curve = monotone_cubic(std::move(at), std::move(pitch));
   return digging_path([&](double drag) { return drag > 0.0 ? curve(drag) : 0.0; }, distance, floor_of(base))
       .at(share * distance)
       .depth;
