@@ -67,9 +67,12 @@ std::pair<double, double> pure_error(const std::vector<Response>& responses, std
   return {squares, freedom};
 }
 
-/// The coefficients of the columns and their errors, or nothing where the responses do not determine them.
-std::vector<Effect> fitted(const std::vector<Response>& responses,
-                           const std::vector<std::vector<int>>& columns, double scatter) {
+/// The coefficients of columns, their errors over the scatter of a run, and the sum of squares that is left.
+struct Fit {
+  std::vector<double> value, error; ///< none where the responses do not determine them
+  double squares = 0.0;
+};
+Fit fitted(const std::vector<Response>& responses, const std::vector<std::vector<int>>& columns) {
   const auto rows = static_cast<Eigen::Index>(responses.size());
   const auto width = static_cast<Eigen::Index>(columns.size());
   Eigen::MatrixXd x(rows, width);
@@ -87,9 +90,10 @@ std::vector<Effect> fitted(const std::vector<Response>& responses,
   }
   const Eigen::VectorXd best = qr.solve(y);
   const Eigen::MatrixXd spread = (x.transpose() * x).inverse();
-  std::vector<Effect> out;
+  Fit out{.value = {}, .error = {}, .squares = (y - x * best).squaredNorm()};
   for (Eigen::Index j = 0; j < width; ++j) {
-    out.push_back({"", best[j], scatter * std::sqrt(spread(j, j))});
+    out.value.push_back(best[j]);
+    out.error.push_back(std::sqrt(spread(j, j)));
   }
   return out;
 }
@@ -105,10 +109,6 @@ Analysis analysed(const std::vector<Response>& all) {
   }
   const std::vector<Levels> runs = design();
   Analysis out;
-  const auto [squares, freedom] = pure_error(responses, runs.size());
-  out.freedom = freedom;
-  out.scatter = freedom > 0.0 ? std::sqrt(squares / freedom) : none;
-
   std::vector<std::vector<int>> columns{std::vector<int>(runs.size(), 1)};
   for (std::size_t f = 0; f < factor_count; ++f) {
     columns.emplace_back();
@@ -116,20 +116,29 @@ Analysis analysed(const std::vector<Response>& all) {
       columns.back().push_back(levels[f]);
     }
   }
-  const std::vector<Effect> main = fitted(responses, columns, out.scatter);
-  out.mean = main.empty() ? none : main.front().value;
+  const Fit main = fitted(responses, columns);
+  const auto [squares, freedom] = pure_error(responses, runs.size());
+  out.replicated = freedom > 0.0;
+  out.freedom =
+      out.replicated ? freedom : static_cast<double>(responses.size()) - static_cast<double>(columns.size());
+  out.scatter = out.freedom > 0.0 && !main.value.empty()
+                    ? std::sqrt((out.replicated ? squares : main.squares) / out.freedom)
+                    : none;
+  out.mean = main.value.empty() ? none : main.value.front();
   // Columns of -1 and 1: from low to high is twice the coefficient.
-  for (std::size_t f = 0; f + 1 < main.size(); ++f) {
-    out.main.push_back({factors[f].name, 2.0 * main[f + 1].value, 2.0 * main[f + 1].error});
+  const auto effect = [&](const std::string& name, const Fit& fit, std::size_t k) {
+    return Effect{name, 2.0 * fit.value[k], 2.0 * out.scatter * fit.error[k]};
+  };
+  for (std::size_t f = 0; f + 1 < main.value.size(); ++f) {
+    out.main.push_back(effect(factors[f].name, main, f + 1));
   }
   const std::vector<AliasGroup> groups = alias_groups();
   for (const AliasGroup& group : groups) {
     columns.push_back(group.column);
   }
-  const std::vector<Effect> every = fitted(responses, columns, out.scatter);
-  for (std::size_t g = 0; g < groups.size() && !every.empty(); ++g) {
-    const Effect& e = every[1 + factor_count + g];
-    out.interactions.push_back({groups[g].name, 2.0 * e.value, 2.0 * e.error});
+  const Fit every = fitted(responses, columns);
+  for (std::size_t g = 0; g < groups.size() && !every.value.empty(); ++g) {
+    out.interactions.push_back(effect(groups[g].name, every, 1 + factor_count + g));
   }
   return out;
 }

@@ -43,22 +43,24 @@ struct Response {
   double value;
 };
 
-/// The change of a response from low to high, with its standard error from the scatter of replicates.
+/// The change of a response from low to high, with its standard error.
 struct Effect {
   std::string name;
   double value, error;
 };
 
 struct Analysis {
-  double mean = 0.0;                  ///< of the response over the design
-  double scatter = 0.0;               ///< standard deviation of a replicate about the mean of its run
-  double freedom = 0.0;               ///< degrees of freedom of the scatter
+  double mean = 0.0;    ///< of the response over the design
+  double scatter = 0.0; ///< standard deviation of a single run
+  double freedom = 0.0; ///< degrees of freedom of the scatter
+  /// Whether the scatter is that of replicates about their mean. Without replicates it is what main effects
+  /// leave, and holds effects of several factors together too.
+  bool replicated = false;
   std::vector<Effect> main{};         ///< by factor; empty where runs of the design are lacking for them
-  std::vector<Effect> interactions{}; ///< by alias group; empty unless there are all runs
+  std::vector<Effect> interactions{}; ///< by alias group; empty likewise
 };
 
-/// By least squares, each replicate counting once. Values that are no numbers are left out. Errors are not
-/// numbers without replicates.
+/// By least squares, each replicate counting once. Values that are no numbers are left out.
 Analysis analysed(const std::vector<Response>& responses);
 
 /// Half the width of the 95 % interval over the standard error. \param freedom above 0

@@ -67,7 +67,10 @@ enum ReadingIndex : std::size_t {
   depth_end,
   mass_end,
   lift_near,
-  lift_end
+  lift_end,
+  porosity,
+  bulk_density_kg_m3,
+  grains
 };
 
 /// All factors low, moved in one of the ways.

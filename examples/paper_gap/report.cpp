@@ -1,5 +1,6 @@
 #include "report.hpp"
 
+#include "scree/geometry/mesh_measures.hpp"
 #include "scree/io/csv.hpp"
 #include "scree/io/xml_text.hpp"
 #include "support/plot.hpp"
@@ -34,7 +35,7 @@ Interval interval(const Effect& e, double freedom, bool as_factor) {
 std::string text(const Interval& i, const char* form) {
   const auto number = [&](double v) { return fmt::format(fmt::runtime(form), v); };
   if (!std::isfinite(i.low)) {
-    return number(i.value) + " (one run each: no interval)";
+    return number(i.value) + " (no interval)";
   }
   return number(i.value) + " (" + number(i.low) + " to " + number(i.high) + ")";
 }
@@ -49,6 +50,10 @@ bool clear(const Interval& i, double null) {
 /// Of the gap, in logarithms, so that shares of factors that multiply add up.
 double share(const Effect& e) {
   return e.value / std::log(gap);
+}
+
+const char* scatter_of(const Analysis& a) {
+  return a.replicated ? "replicates" : "what main effects leave, as there are no replicates";
 }
 
 const char* level_of(const Levels& levels, std::size_t f) {
@@ -76,7 +81,7 @@ void write_runs(const Report& r, const std::filesystem::path& file) {
   CsvWriter table{file, columns, comment};
   for (const Done& run : r.runs) {
     if (!run.outcome) {
-      continue;
+      continue; // its reason is in summary.json
     }
     const bool replayed = run.of.motion == Motion::free && run.of.levels[5] > 0;
     const Motion motion = replayed ? Motion::measured : run.of.motion;
@@ -92,7 +97,7 @@ void write_runs(const Report& r, const std::filesystem::path& file) {
   }
 }
 
-/// Means over the replicates with all factors low, by motion.
+/// Means over the replicates with all factors low, by motion; of those that came to their end.
 std::string write_curves(const Report& r, const std::filesystem::path& folder) {
   struct Column {
     const char* name;
@@ -101,10 +106,19 @@ std::string write_curves(const Report& r, const std::filesystem::path& folder) {
   static constexpr std::array columns{Column{"force_N", &Outcome::force},
                                       Column{"pitch_deg", &Outcome::pitch},
                                       Column{"depth_m", &Outcome::depth}, Column{"mass_kg", &Outcome::mass}};
+  std::vector<Motion> there;
+  for (const MotionFinding& m : r.findings.motions) {
+    if (m.runs > 0) {
+      there.push_back(m.motion);
+    }
+  }
+  const auto column = [](const Column& c, Motion motion) {
+    return message(c.name, "_", static_cast<std::size_t>(motion));
+  };
   std::vector<std::string> names{"drag_m"};
   for (const Column& c : columns) {
-    for (std::size_t m = 0; m < motions.size(); ++m) {
-      names.push_back(message(c.name, "_", m));
+    for (const Motion motion : there) {
+      names.push_back(column(c, motion));
     }
   }
   {
@@ -114,7 +128,7 @@ std::string write_curves(const Report& r, const std::filesystem::path& folder) {
     for (std::size_t k = 0; k < pieces; ++k) {
       std::vector<double> row{r.base.dragline.setup.drag_distance * (static_cast<double>(k) + 0.5) / pieces};
       for (const Column& c : columns) {
-        for (const Motion motion : motions) {
+        for (const Motion motion : there) {
           std::vector<double> values;
           for (const Done& run : r.runs) {
             if (run.run == 0 && run.of.motion == motion && run.outcome) {
@@ -129,21 +143,33 @@ std::string write_curves(const Report& r, const std::filesystem::path& folder) {
   }
   const double way = r.base.dragline.setup.drag_distance;
   std::vector<examples::Panel> panels;
+  // Four colours: the path that stays steep is in the table only.
+  struct Drawn {
+    Motion motion;
+    const char* label;
+  };
+  static constexpr std::array drawn{Drawn{Motion::free, "free"}, Drawn{Motion::measured, "measured pitch"},
+                                    Drawn{Motion::simulated, "the DEM's pitch"},
+                                    Drawn{Motion::measured_sinks, "measured, free depth"}};
   static constexpr std::array<const char*, columns.size()> labels{"force, N", "pitch, degrees", "depth, m",
                                                                   "mass in the bucket, kg"};
   for (std::size_t c = 0; c < columns.size(); ++c) {
     examples::Panel panel{labels[c], "drag, m", labels[c], {}};
-    // Four colours: the paths that stay steep are in the table only.
-    for (const std::size_t m : {0U, 1U, 2U, 3U}) {
-      panel.curves.push_back({"curves.csv", "drag_m", message(columns[c].name, "_", m), name(motions[m])});
+    for (const Drawn& one : drawn) {
+      if (std::find(there.begin(), there.end(), one.motion) != there.end()) {
+        panel.curves.push_back({"curves.csv", "drag_m", column(columns[c], one.motion), one.label});
+      }
     }
     panels.push_back(std::move(panel));
   }
   panels[0].points = {{0.3 * way, stated.force_near, "stated, measured"},
                       {way, stated.force_end, "stated, measured"},
-                      {way, stated.simulated_end, "stated, the paper's DEM", 1}};
+                      {way, stated.simulated_end, "stated, DEM", 1}};
   panels[1].points = {{0.3 * way, stated.pitch_near, "stated, measured"},
-                      {0.3 * way, stated.simulated_near, "stated, the paper's DEM", 1}};
+                      {0.3 * way, stated.simulated_near, "stated, DEM", 1}};
+  if (there.empty()) {
+    return {};
+  }
   return examples::draw_plot(folder, "paper_gap", "All factors low: free, and along replayed paths", panels);
 }
 
@@ -162,8 +188,16 @@ void write_effects(const Report& r, const std::filesystem::path& file) {
   const auto rows = [&](const std::vector<Effect>& near, const std::vector<Effect>& end,
                         const std::vector<Effect>& pitch, std::size_t first) {
     for (std::size_t k = 0; k < std::min({near.size(), end.size(), pitch.size()}); ++k) {
-      table.row({static_cast<double>(first + k), near[k].value, near[k].error, end[k].value, end[k].error,
-                 pitch[k].value, pitch[k].error});
+      const std::vector<double> row{static_cast<double>(first + k),
+                                    near[k].value,
+                                    near[k].error,
+                                    end[k].value,
+                                    end[k].error,
+                                    pitch[k].value,
+                                    pitch[k].error};
+      if (std::all_of(row.begin(), row.end(), [](double v) { return std::isfinite(v); })) {
+        table.row(row);
+      }
     }
   };
   rows(f.log_force_near.main, f.log_force_end.main, f.pitch_near.main, 1);
@@ -187,19 +221,23 @@ std::string motions_table(const Report& r) {
   std::string out =
       "<table><tr><th>bucket<th>runs<th>force at 0.3 of the way, N<th>over 150 N<th>force over the "
       "last tenth, N<th>over 500 N<th>pitch at 0.3, degrees<th>depth at 0.3, mm<th>depth at the "
-      "end, mm<th>mass, kg<th>lift at the end, N</tr>\n";
+      "end, mm<th>mass, kg<th>of a full bucket<th>lift at the end, N</tr>\n";
+  std::vector<std::string> remarks;                                         // in the program `drag`
+  const double interior = volume(r.base.dragline.bucket(remarks).interior); // m3
   for (const MotionFinding& m : r.findings.motions) {
     const auto scaled = [](const Mean& mean, double factor) {
       return Mean{mean.value * factor, mean.error * factor};
     };
-    out += "<tr>" + cell(name(m.motion)) + cell(fmt::format("{}", m.runs)) +
-           cell(text(m.mean[force_near], "{:.0f}")) +
-           cell(text(scaled(m.mean[force_near], 1.0 / stated.force_near), "{:.2f}")) +
-           cell(text(m.mean[force_end], "{:.0f}")) +
-           cell(text(scaled(m.mean[force_end], 1.0 / stated.force_end), "{:.2f}")) +
-           cell(text(m.mean[pitch_near], "{:.1f}")) + cell(text(scaled(m.mean[depth_near], 1e3), "{:.0f}")) +
-           cell(text(scaled(m.mean[depth_end], 1e3), "{:.0f}")) + cell(text(m.mean[mass_end], "{:.1f}")) +
-           cell(text(m.mean[lift_end], "{:.0f}")) + "</tr>\n";
+    out +=
+        "<tr>" + cell(name(m.motion)) + cell(fmt::format("{}", m.runs)) +
+        cell(text(m.mean[force_near], "{:.0f}")) +
+        cell(text(scaled(m.mean[force_near], 1.0 / stated.force_near), "{:.2f}")) +
+        cell(text(m.mean[force_end], "{:.0f}")) +
+        cell(text(scaled(m.mean[force_end], 1.0 / stated.force_end), "{:.2f}")) +
+        cell(text(m.mean[pitch_near], "{:.1f}")) + cell(text(scaled(m.mean[depth_near], 1e3), "{:.0f}")) +
+        cell(text(scaled(m.mean[depth_end], 1e3), "{:.0f}")) + cell(text(m.mean[mass_end], "{:.1f}")) +
+        cell(text(scaled(m.mean[mass_end], 1.0 / (interior * m.mean[bulk_density_kg_m3].value)), "{:.2f}")) +
+        cell(text(m.mean[lift_end], "{:.0f}")) + "</tr>\n";
   }
   return out + "</table>\n";
 }
@@ -274,17 +312,20 @@ std::vector<std::string> sentences(const Report& r) {
     const Mean force = force_of(motion);
     return text(Mean{force.value / stated.force_end, force.error / stated.force_end}, "{:.2f}");
   };
-  out.push_back(
-      fmt::format("With all factors low, the force over the last tenth of the way is {} times the 500 N "
-                  "measured where the bucket is free, {} times along the measured pitch where it levels "
-                  "out after a third of the way, and {} times where it stays as steep.",
-                  over(Motion::free), over(Motion::measured), over(Motion::measured_stays)));
-  const double steeper = force_of(Motion::simulated).value / force_of(Motion::measured).value;
-  const double stays = force_of(Motion::measured_stays).value / force_of(Motion::measured).value;
+  out.push_back(fmt::format(
+      "With all factors low, the force over the last tenth of the way is {} times the 500 N "
+      "measured where the bucket is free. Led along the measured pitch it is {} times where depth "
+      "follows from pitch and the bucket levels out after a third of the way, {} times where it "
+      "stays as steep, and {} times where it is as deep as the free bucket.",
+      over(Motion::free), over(Motion::measured), over(Motion::measured_stays),
+      over(Motion::measured_sinks)));
+  const auto times = [&](Motion of, Motion than) { return force_of(of).value / force_of(than).value; };
   out.push_back(
       fmt::format("3.5 degrees more at a third of the way, as in the paper's DEM, multiply it by {:.2f}; the "
-                  "later pitch, which the text does not state, by {:.2f}.",
-                  steeper, stays));
+                  "later pitch, which the text does not state, by {:.2f}; the depth, which it does not state "
+                  "either, by {:.2f}.",
+                  times(Motion::simulated, Motion::measured), times(Motion::measured_stays, Motion::measured),
+                  times(Motion::measured_sinks, Motion::measured)));
   std::vector<std::pair<double, std::string>> carried;
   std::string unclear;
   for (std::size_t k = 0; k < f.log_force_end.main.size(); ++k) {
@@ -306,6 +347,12 @@ std::vector<std::string> sentences(const Report& r) {
   if (!unclear.empty()) {
     out.push_back("No effect beyond the noise at the end of the way: " + unclear + ".");
   }
+  if (std::isfinite(f.log_force_end.scatter)) {
+    out.push_back(fmt::format(
+        "A single run is off by a factor of {:.2f} at the end of the way and of {:.2f} at 0.3 of it (one "
+        "standard deviation, from {}).",
+        std::exp(f.log_force_end.scatter), std::exp(f.log_force_near.scatter), scatter_of(f.log_force_end)));
+  }
   if (f.log_force_end.main.empty()) {
     out.emplace_back("There are too few runs of the design for effects.");
   }
@@ -323,18 +370,19 @@ std::vector<std::string> undecided(const Report& r) {
     simulated += a.with_simulated ? 1 : 0;
   }
   std::vector<std::string> out;
-  out.push_back(fmt::format(
-      "Of {} combinations, {} agree with what was measured (150 N, 500 N, -6.5 degrees) and {} with "
-      "the paper's DEM (150 N, 1500 N, -10 degrees), forces to a factor of {} and pitch to {} "
-      "degrees beside the noise: {}.",
-      f.agreements.size(), measured, simulated, force_tolerance, pitch_tolerance,
-      measured > 1 || simulated > 1 ? "three numbers do not tell these combinations apart"
-      : measured + simulated == 0   ? "none of them is shown to be that of the paper"
-                                    : "which is no proof, as others were not tried"));
+  out.push_back(
+      fmt::format("Taken at face value, of {} combinations {} agree with what was measured (150 N, 500 N, "
+                  "-6.5 degrees) and {} with "
+                  "the paper's DEM (150 N, 1500 N, -10 degrees), forces to a factor of {} and pitch to {} "
+                  "degrees beside the noise: {}.",
+                  f.agreements.size(), measured, simulated, force_tolerance, pitch_tolerance,
+                  measured > 1 || simulated > 1 ? "three numbers do not tell these combinations apart"
+                  : measured + simulated == 0   ? "none of them is shown to be that of the paper"
+                                                : "which is no proof, as others were not tried"));
   out.emplace_back(
       "The pitch after a third of the way and the depth at any place are in the paper's figures only. "
-      "The replayed path is a reconstruction of ours, and its later part decides on the force at the "
-      "end as much as the factors do.");
+      "The replayed paths are reconstructions of ours, and the first table says how far they are apart in "
+      "the force at the end.");
   out.emplace_back(
       "Wall friction, local damping, mass convention, porosity, and mass and inertia of the bucket are "
       "not stated for the paper's DEM: an effect that is large here says what could carry the gap, not "
@@ -393,7 +441,9 @@ Json summary(const Report& r) {
         {"force_near", json(f.log_force_near.interactions[k], f.log_force_near, true)},
         {"force_end", json(f.log_force_end.interactions[k], f.log_force_end, true)}};
   }
-  out["scatter_of_log_force"] = {{"near", f.log_force_near.scatter}, {"end", f.log_force_end.scatter}};
+  out["scatter_of_log_force"] = {{"near", f.log_force_near.scatter},
+                                 {"end", f.log_force_end.scatter},
+                                 {"from", scatter_of(f.log_force_end)}};
   out["depth_from_pitch"] = {{"runs", f.depth.runs},
                              {"near_m", json(f.depth.found_near)},
                              {"near_by_pitch_m", json(f.depth.by_pitch_near)},
@@ -419,9 +469,9 @@ std::string page(const Report& r, const std::string& figure) {
       "degrees at 0.3 m "
       "where -6.5 degrees was measured.</p>\n";
   out += fmt::format(
-      "<p>{} fidelity, {} of {} runs, {} of them failed. Intervals hold 95 %, from the scatter of "
-      "replicates.</p>\n<ul>\n",
-      xml_escaped(r.fidelity), r.runs.size(), r.planned, f.failed);
+      "<p>At {} fidelity; {} of {} runs, {} of them failed. Intervals hold 95 %, from the scatter "
+      "of {}.</p>\n<ul>\n",
+      xml_escaped(r.fidelity), r.runs.size(), r.planned, f.failed, scatter_of(f.log_force_end));
   for (const std::string& s : sentences(r)) {
     out += "<li>" + xml_escaped(s) + "</li>\n";
   }
@@ -435,7 +485,8 @@ std::string page(const Report& r, const std::string& figure) {
                   "values stated: it rises "
                   "to {} degrees (ours: at {} of the way), is {} or {} degrees at {} of the way, and then "
                   "goes to {} degrees at the "
-                  "end or stays; monotone cubics between. Its depth is ours: the lip cuts, and the heel, "
+                  "end or stays; monotone cubics between. Its depth is ours: that of the free bucket, or by "
+                  "the pitch: the lip cuts, and the heel, "
                   "{:.0f} mm behind it, rides on "
                   "what the lip has left. In {} runs with a free bucket the depth so found from the bucket's "
                   "own pitch is {} mm at 0.3 of "

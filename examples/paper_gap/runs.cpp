@@ -2,10 +2,9 @@
 
 #include "support/default_simulation.hpp"
 
+#include "scree/core/monotone_cubic.hpp"
 #include "scree/laboratory/digging_path.hpp"
 #include "scree/laboratory/drag_test.hpp"
-
-#include <boost/math/interpolators/pchip.hpp>
 
 #include <numbers>
 #include <utility>
@@ -90,8 +89,8 @@ const char* name(Motion motion) {
     return "measured pitch, stays";
   case Motion::simulated:
     return "pitch of the paper's DEM, levels out";
-  case Motion::simulated_stays:
-    return "pitch of the paper's DEM, stays";
+  case Motion::measured_sinks:
+    return "measured pitch, levels out, as deep as the free bucket";
   }
   return "";
 }
@@ -99,9 +98,9 @@ const char* name(Motion motion) {
 Base::Base(bool desk) : rock{desk}, rig{rock.rig()}, dragline{desk} {
   if (desk) {
     DragSetup& s = dragline.setup;
-    s.bed_length = 1.7;
+    s.bed_length = 1.75;
     s.bed_width = 0.36;
-    s.bed_depth = 0.24;
+    s.bed_depth = 0.3;
     s.rope_stiffness = 2.5e4;
     rock.set_size_factor(1.6);
     rock.set_spring(5e4);
@@ -137,23 +136,36 @@ void Base::bind(examples::Options& options) {
   options.add("record.limit", limit, {1e-3, 1e6, "s"}, "of simulated time, beyond which a run has failed");
 }
 
-BucketPath path_of(const Base& base, Motion motion) {
+BucketPath path_of(const Base& base, const Case& of) {
   const PathWords& w = base.path;
   const double distance = base.dragline.setup.drag_distance;
-  const bool as_measured = motion == Motion::measured || motion == Motion::measured_stays;
-  const bool stays = motion == Motion::measured_stays || motion == Motion::simulated_stays;
-  const double down = as_measured ? w.measured : w.simulated;
+  const double down = of.motion == Motion::simulated ? w.simulated : w.measured;
+  const double end = of.motion == Motion::measured_stays ? down : w.end;
   if (!(w.down_at > w.up_at)) {
     throw Error(message("path.down_at = ", w.down_at, " must be above path.up_at = ", w.up_at));
   }
   // Beyond the end for the floor's length that the path may exceed it by.
   std::vector<double> at{0.0, w.up_at * distance, w.down_at * distance, distance, 2.0 * distance + 1.0};
-  std::vector<double> pitch{0.0, w.up, down, stays ? down : w.end, stays ? down : w.end};
-  for (double& angle : pitch) {
-    angle *= degree;
+  std::vector<double> angle{0.0, w.up, down, end, end};
+  for (double& a : angle) {
+    a *= degree;
   }
-  const boost::math::interpolators::pchip<std::vector<double>> curve{std::move(at), std::move(pitch)};
-  return digging_path([&](double drag) { return drag > 0.0 ? curve(drag) : 0.0; }, distance, floor_of(base));
+  const MonotoneCubic curve = monotone_cubic(std::move(at), std::move(angle));
+  const auto pitch = [&](double drag) { return drag > 0.0 ? curve(drag) : 0.0; };
+  if (of.motion != Motion::measured_sinks) {
+    return digging_path(pitch, distance, floor_of(base));
+  }
+  if (of.free_depth.size() != pieces) {
+    throw Error("the free bucket whose depth is asked for did not come to its end");
+  }
+  std::vector<PathPoint> points{{}};
+  for (std::size_t k = 0; k < pieces; ++k) {
+    const double drag = distance * (static_cast<double>(k) + 0.5) / pieces;
+    points.push_back({drag, pitch(drag), of.free_depth.at(k)});
+  }
+  const double rise = 0.5 * (of.free_depth[pieces - 1] - of.free_depth[pieces - 2]);
+  points.push_back({distance, pitch(distance), of.free_depth[pieces - 1] + rise});
+  return BucketPath{points};
 }
 
 std::vector<double> Outcome::values() const {
@@ -178,17 +190,15 @@ Outcome Outcome::from(const std::vector<double>& values) {
   return out;
 }
 
-Outcome dragged(const Base& base, const Case& of, double dense_density) {
+Outcome dragged(const Base& base, Case of, double dense_density) {
   DragTestSetup setup = setup_of(base, of, dense_density);
-  Motion motion = of.motion;
-  if (motion == Motion::free && of.levels[5] > 0) {
-    motion = Motion::measured;
+  if (of.motion == Motion::free && of.levels[5] > 0) {
+    of.motion = Motion::measured;
   }
-  if (motion == Motion::free) {
+  if (of.motion == Motion::free) {
     return observed(DragTest<>{std::move(setup)}, base);
   }
-  return observed(DragTest<DefaultModel, PathHaul>{std::move(setup), {}, PathHaul{path_of(base, motion)}},
-                  base);
+  return observed(DragTest<DefaultModel, PathHaul>{std::move(setup), {}, PathHaul{path_of(base, of)}}, base);
 }
 
 double bulk_density(const Base& base, bool dense, std::uint64_t seed) {
@@ -213,7 +223,7 @@ double depth_by_pitch(const Base& base, const Outcome& run, double share) {
   }
   at.push_back(2.0 * distance + 1.0);
   pitch.push_back(pitch.back());
-  const boost::math::interpolators::pchip<std::vector<double>> curve{std::move(at), std::move(pitch)};
+  const MonotoneCubic curve = monotone_cubic(std::move(at), std::move(pitch));
   return digging_path([&](double drag) { return drag > 0.0 ? curve(drag) : 0.0; }, distance, floor_of(base))
       .at(share * distance)
       .depth;

@@ -18,10 +18,12 @@
 namespace paper_gap {
 
 /// How the bucket moves: by itself, or along one of four paths made of the few pitches that the paper states.
-/// What it does not state is the pitch after a third of the way: it goes to its end, or stays.
-enum class Motion { free, measured, measured_stays, simulated, simulated_stays };
+/// What it states neither is the pitch after a third of the way, which goes to its end here or stays, nor any
+/// depth, which is that of a bucket that rides on its heel (`digging_path`), or the one that a free bucket of
+/// the same bed had.
+enum class Motion { free, measured, measured_stays, simulated, measured_sinks };
 inline constexpr std::array motions{Motion::free, Motion::measured, Motion::measured_stays, Motion::simulated,
-                                    Motion::simulated_stays};
+                                    Motion::measured_sinks};
 const char* name(Motion motion);
 
 /// Places as shares of the drag distance, so that a run of another distance is looked at alike.
@@ -57,11 +59,12 @@ struct Case {
   Levels levels;
   Motion motion = Motion::free; ///< in place of that of the levels where these are free
   std::uint64_t seed = 1;
+  std::vector<double> free_depth{}; ///< m, over pieces of the way; where the motion asks for it
 };
 
 /// The path of a motion that is not free.
 /// \throws Error for words that make no path.
-scree::BucketPath path_of(const Base& base, Motion motion);
+scree::BucketPath path_of(const Base& base, const Case& of);
 
 /// Number of equal pieces of the way over which curves are means.
 inline constexpr std::size_t pieces = 20;
@@ -83,7 +86,7 @@ struct Outcome {
 
 /// \param dense_density of the particles of a dense bed over those of a loose one
 /// \throws Error where the run fails.
-Outcome dragged(const Base& base, const Case& of, double dense_density);
+Outcome dragged(const Base& base, Case of, double dense_density);
 
 /// kg/m3, of a bed alone. \throws Error where it cannot be made.
 double bulk_density(const Base& base, bool dense, std::uint64_t seed);

@@ -9,9 +9,9 @@
 ///     // How the bucket moves from when it is laid on the bed; the winch starts at `start` [s].
 ///     RopeCoupled laid(const DragSetup& setup, const BucketBody& bucket, const WallMotion& motion,
 ///                      double start) const;
-///     // Called when the winch starts, with the bucket at rest as wall `wall` of the simulation.
-///     void begin(Simulation& simulation, std::size_t wall, const DragSetup& setup, const BucketBody&
-///     bucket);
+///     // Called when the winch starts, with the bucket at rest as wall `wall`; `start` as before.
+///     void begin(Simulation& simulation, std::size_t wall, const DragSetup& setup,
+///                const BucketBody& bucket, double start);
 ///     // Called after every step of `dt` [s] from then on.
 ///     void observe(const Simulation& simulation, double dt);
 ///     // What it pulled with since the last call, which was `span` [s] ago.
@@ -68,7 +68,7 @@ public:
   }
 
   template <class Simulation>
-  void begin(Simulation& simulation, std::size_t wall, const DragSetup&, const BucketBody&) {
+  void begin(Simulation& simulation, std::size_t wall, const DragSetup&, const BucketBody&, double) {
     wall_ = wall;
     lifted_ = lift(simulation);
   }
@@ -141,13 +141,14 @@ public:
   }
 
   template <class Simulation>
-  void begin(Simulation& simulation, std::size_t wall, const DragSetup& setup, const BucketBody& bucket) {
+  void begin(Simulation& simulation, std::size_t wall, const DragSetup& setup, const BucketBody& bucket,
+             double start) {
     wall_ = wall;
     body_ = bucket.body;
     gravity_ = setup.gravity();
     const WallMotion& rest = simulation.wall(wall).motion;
-    const auto pose = [setup, path = path_, start = simulation.time(), centre = body_.centre,
-                       from = rest.to_space(body_.centre), placed = attitude(rest.orientation)](double time) {
+    const auto pose = [setup, path = path_, start, centre = body_.centre, from = rest.to_space(body_.centre),
+                       placed = attitude(rest.orientation)](double time) {
       const PathPoint now = path.at(setup.wound(time - start));
       Attitude turned = placed;
       turned.pitch += now.pitch;

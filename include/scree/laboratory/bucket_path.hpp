@@ -3,9 +3,8 @@
 /// Where a bucket has been: pitch and depth against drag.
 
 #include "scree/core/error.hpp"
+#include "scree/core/monotone_cubic.hpp"
 #include "scree/laboratory/drag_pieces.hpp"
-
-#include <boost/math/interpolators/pchip.hpp>
 
 #include <cmath>
 #include <cstddef>
@@ -22,8 +21,8 @@ struct PathPoint {
   double depth = 0.0; ///< m, of its centre of gravity, positive below its rest
 };
 
-/// A smooth path through points: cubic pieces that go up and down only where the points do (Fritsch & Carlson
-/// 1980). Beyond its end it goes straight on.
+/// A smooth path through points, which goes up and down only where they do. Beyond its end it goes straight
+/// on.
 class BucketPath {
 public:
   /// \param points four or more, by ascending drag, the first of them all null
@@ -48,8 +47,6 @@ public:
   [[nodiscard]] double length() const { return end_.drag; }
 
 private:
-  using Curve = boost::math::interpolators::pchip<std::vector<double>>;
-
   static const std::vector<PathPoint>& checked(const std::vector<PathPoint>& points) {
     if (points.size() < 4) {
       throw Error(message("bucket path: needs 4 points or more, not ", points.size()));
@@ -69,16 +66,16 @@ private:
     return points;
   }
 
-  static Curve curve(const std::vector<PathPoint>& points, double PathPoint::*what) {
+  static MonotoneCubic curve(const std::vector<PathPoint>& points, double PathPoint::*what) {
     std::vector<double> x, y;
     for (const PathPoint& p : points) {
       x.push_back(p.drag);
       y.push_back(p.*what);
     }
-    return Curve{std::move(x), std::move(y)};
+    return monotone_cubic(std::move(x), std::move(y));
   }
 
-  Curve pitch_, depth_;
+  MonotoneCubic pitch_, depth_;
   PathPoint end_;
   double end_pitch_slope_, end_depth_slope_;
 };

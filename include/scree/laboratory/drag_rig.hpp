@@ -110,7 +110,7 @@ public:
     lost_at_start_ = simulation_.dissipation().friction;
     last_sample_ = simulation_.time();
     next_removal_ = setup_.removal_interval;
-    haul_.begin(simulation_, wall_, setup_, bucket_);
+    haul_.begin(simulation_, wall_, setup_, bucket_, winch_start_);
   }
 
   /// Steps for about `interval` [s] of simulated time, at least one step. Goes on with an interval that was
