@@ -174,5 +174,5 @@ TEST_CASE("a diagnosis refuses what makes no sense") {
   CHECK(complaint(few, {}) == "response surface: 5 runs came to an end, too few for 7 parameters");
   std::vector<Run> cut = shared_runs();
   cut[7].observed = cut[7].observed.head(3).eval();
-  CHECK(complaint(cut, {}) == "diagnosis: a run has 3 observables where 9 are needed");
+  CHECK(complaint(cut, {}) == "diagnosis: a run has 3 observables where 11 are needed");
 }

@@ -98,30 +98,13 @@ public:
   /// \param held_out what is only predicted; may be empty
   /// \param runs over the whole space, with all of these observables, those held out last
   /// \throws Error for too few runs, runs without all observables, or a setup that makes no sense.
-  Diagnostician(const ModelSpace& space, std::vector<Measured> measured, std::vector<Measured> held_out,
-                const std::vector<Run>& runs, DiagnosisSetup setup = {})
-      : Diagnostician{space, std::move(measured), std::move(held_out),
-                      ResponseSurface{runs, space.null_of_causes()}, setup} {}
-
-  /// \param response of all of these observables over the whole space, those held out last
-  Diagnostician(const ModelSpace& space, std::vector<Measured> measured, std::vector<Measured> held_out,
-                const ResponseSurface& response, DiagnosisSetup setup = {})
-      : space_{space},
-        measured_{std::move(measured)},
-        held_out_{std::move(held_out)},
-        response_{part_of(response, 0, measured_.size())},
-        setup_{setup},
-        noise_{measured_, response_},
-        court_{noise_, Prior::even(space.base())} {
-    setup_.check();
-    if (!held_out_.empty()) {
-      held_out_response_ = part_of(response, measured_.size(), held_out_.size());
-    }
-    add({}, Eigen::VectorXd::Constant(space_.base(), 0.5));
-    for (std::size_t c = 0; c < space_.causes().size(); ++c) {
-      add({c}, base_point());
-    }
-  }
+  Diagnostician(const ModelSpace& space, const std::vector<Measured>& measured,
+                const std::vector<Measured>& held_out, const std::vector<Run>& runs,
+                DiagnosisSetup setup = {})
+      : Diagnostician{space, measured, held_out,
+                      ResponseSurface{with_observables(runs, measured.size() + held_out.size()),
+                                      space.null_of_causes()},
+                      setup} {}
 
   Diagnostician(const Diagnostician&) = delete;
   Diagnostician& operator=(const Diagnostician&) = delete;
@@ -185,12 +168,36 @@ public:
   }
 
 private:
-  static ResponseSurface part_of(const ResponseSurface& response, std::size_t first, std::size_t count) {
-    const auto there = static_cast<std::size_t>(response.noise().size());
-    if (there < first + count) {
-      throw Error(
-          message("diagnosis: a run has ", there, " observables where ", first + count, " are needed"));
+  /// \param response of all of these observables over the whole space, those held out last
+  Diagnostician(const ModelSpace& space, std::vector<Measured> measured, std::vector<Measured> held_out,
+                const ResponseSurface& response, DiagnosisSetup setup)
+      : space_{space},
+        measured_{std::move(measured)},
+        held_out_{std::move(held_out)},
+        response_{part_of(response, 0, measured_.size())},
+        setup_{setup},
+        noise_{measured_, response_},
+        court_{noise_, Prior::even(space.base())} {
+    setup_.check();
+    if (!held_out_.empty()) {
+      held_out_response_ = part_of(response, measured_.size(), held_out_.size());
     }
+    add({}, Eigen::VectorXd::Constant(space_.base(), 0.5));
+    for (std::size_t c = 0; c < space_.causes().size(); ++c) {
+      add({c}, base_point());
+    }
+  }
+
+  static const std::vector<Run>& with_observables(const std::vector<Run>& runs, std::size_t count) {
+    for (const Run& run : runs) {
+      if (static_cast<std::size_t>(run.observed.size()) < count) {
+        throw Error(message("diagnosis: a run has ", run.observed.size(), " observables where ", count,
+                            " are needed"));
+      }
+    }
+    return runs;
+  }
+  static ResponseSurface part_of(const ResponseSurface& response, std::size_t first, std::size_t count) {
     return response.part(static_cast<Eigen::Index>(first), static_cast<Eigen::Index>(count));
   }
 
