@@ -130,11 +130,8 @@ TEST_CASE("a run agrees with what the paper states only where forces and pitch d
     outcome.force[pieces - 1] = outcome.force[pieces - 2] = end;
     std::vector<Done> runs;
     for (std::uint64_t seed = 1; seed <= 2; ++seed) {
-      runs.push_back({.of = {design().front(), Motion::free, seed},
-                      .run = 0,
-                      .in_design = true,
-                      .outcome = outcome,
-                      .failure = ""});
+      const Case one{design().front(), Motion::free, seed};
+      runs.push_back({.of = one, .run = 0, .in_design = true, .outcome = outcome, .failure = ""});
     }
     return found(base, runs).agreements.at(0);
   };
