@@ -38,7 +38,7 @@ void judge_all(std::uint64_t seed, std::size_t times, const std::string& name) {
   const scree::test::ScratchFolder scratch;
   const std::filesystem::path kept{told("SCREE_HIDDEN_EFFECTS_KEPT", "")};
   const std::vector<Trial> all = trials(data_sets(seed, times), kept.empty() ? scratch.path() : kept);
-  const std::filesystem::path folder = std::filesystem::current_path() / "hidden_effects";
+  const std::filesystem::path folder = std::filesystem::current_path() / "hidden_effects_tables";
   std::filesystem::create_directories(folder);
   write_confusion(all, folder / (name + "_confusion.csv"));
   write_trials(all, folder / (name + "_trials.csv"));
