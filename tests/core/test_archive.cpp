@@ -111,6 +111,13 @@ TEST_CASE("an archive says what is in the place of what was looked for") {
   CHECK_THROWS_WITH_AS(again.end(), "file: 4 bytes are left over", Error);
 }
 
+TEST_CASE("a yes or no that is neither is refused") {
+  const std::string bytes{"\2", 1};
+  bool answer = false;
+  ArchiveReader reader{bytes, "file"};
+  CHECK_THROWS_WITH_AS(reader(answer), "file: holds neither yes nor no where one of them should be", Error);
+}
+
 TEST_CASE("a stream of random numbers goes on where it was kept") {
   Random random{3, "stream"};
   for (int k = 0; k < 1000; ++k) {

@@ -273,6 +273,13 @@ private:
       get(value.coeffs());
     } else if constexpr (detail::is_array<T>) {
       items(std::span{value});
+    } else if constexpr (std::is_same_v<T, bool>) {
+      unsigned char byte = 0;
+      raw(&byte, sizeof byte);
+      if (byte > 1) {
+        fail("holds neither yes nor no where one of them should be");
+      }
+      value = byte == 1;
     } else {
       raw(&value, sizeof value);
     }

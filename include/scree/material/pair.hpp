@@ -56,6 +56,11 @@ struct PairOverride {
   std::optional<double> friction{};
   std::optional<double> restitution{};
   std::optional<double> rolling_friction{};
+
+  template <class Self, class Archive>
+  static void fields(Self& self, Archive& archive) {
+    archive(self.friction, self.restitution, self.rolling_friction);
+  }
 };
 
 /// Mixes two materials: stiffness as `convention` says; E* and G* of Hertz and Mindlin; the smaller friction,

@@ -15,6 +15,7 @@
 #include "scree/simulation/step_times.hpp"
 #include "scree/simulation/wall_loop.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -245,7 +246,11 @@ public:
       const bool limit_known = self.limit_known_;
       self.materials_changed();
       self.limit_known_ = limit_known;
-      if (!self.lists_.rebuild(self.domain_, self.bodies_, self.walls(), self.workers_)) {
+      const auto spheres = std::as_const(self.bodies_).spheres();
+      const bool made_of_known = std::all_of(spheres.begin(), spheres.end(), [&](const auto& sphere) {
+        return sphere.material < self.materials_.size();
+      });
+      if (!made_of_known || !self.lists_.rebuild(self.domain_, self.bodies_, self.walls(), self.workers_)) {
         archive.fail("contacts, bodies and walls do not belong together");
       }
       self.make_room_for_results();
