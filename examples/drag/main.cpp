@@ -6,6 +6,7 @@
 #include "sizes.hpp"
 
 #include "scree/geometry/mesh_measures.hpp"
+#include "scree/io/read_text.hpp"
 #include "scree/io/stl.hpp"
 #include "scree/laboratory/drag_rig.hpp"
 #include "scree/measure/state_hash.hpp"
@@ -342,7 +343,7 @@ private:
 };
 
 /// The command line of a run that was begun in `folder`, and what else may be given to go on with it.
-/// \throws Error for anything else, and where nothing was begun.
+/// \throws Error for anything else, where nothing was begun, and where all was done.
 std::vector<const char*> command_of(const std::filesystem::path& folder, const std::string& input, int argc,
                                     char** argv) {
   std::vector<const char*> out{argv[0], "--config", input.c_str()};
@@ -363,6 +364,11 @@ std::vector<const char*> command_of(const std::filesystem::path& folder, const s
                                         "; only --threads and --checkpoint_interval can"));
     }
   }
+  const auto summary = folder / "summary.json";
+  if (std::filesystem::exists(summary) &&
+      Json::parse(scree::read_text(summary, std::size_t{1} << 24U)).value("finished", false)) {
+    throw scree::Error(scree::message("--resume ", folder.string(), ": this drag has come to its end"));
+  }
   if (!std::filesystem::exists(input)) {
     throw scree::Error(
         scree::message("--resume ", folder.string(), ": no drag was begun there: ", input, " is missing"));
@@ -373,6 +379,7 @@ std::vector<const char*> command_of(const std::filesystem::path& folder, const s
 } // namespace
 
 int main(int argc, char** argv) {
+  const ex::StopSignals signals;
   std::filesystem::path folder;
   try {
     const std::filesystem::path begun = ex::Options::peek(argc, argv, "resume").value_or("");
@@ -389,7 +396,6 @@ int main(int argc, char** argv) {
     drag::bind(options, parameters);
     options.parse(count, words.data());
     drag::apply(parameters);
-    const ex::StopSignals signals;
     Run run{parameters, options, begun};
     folder = run.folder();
     run();

@@ -22,14 +22,24 @@ rm -rf "$folder" && mkdir -p "$disk" || exit 1
 
 "$program" "${options[@]}" --out "$folder/whole" >"$folder/log" 2>&1 || fail "the run that is left alone"
 
-# Goes on, or begins, and returns the program's status.
-go() {
+# What goes on, or begins.
+next_command() {
   if [ -e "$run/input.toml" ]; then
-    "$program" --resume "$run" "${checkpoints[@]}" >"$folder/log" 2>&1
+    command=("$program" --resume "$run" "${checkpoints[@]}")
   else
     rm -rf "$run"
-    "$program" "${options[@]}" "${checkpoints[@]}" --out "$run" >"$folder/log" 2>&1
+    command=("$program" "${options[@]}" "${checkpoints[@]}" --out "$run")
   fi
+}
+go() {
+  next_command
+  "${command[@]}" >"$folder/log" 2>&1
+}
+# The same beside this script, as process $job.
+go_beside() {
+  next_command
+  "${command[@]}" >"$folder/log" 2>&1 &
+  job=$!
 }
 
 finished() { [ -e "$run/summary.json" ] && grep -q '"finished": true' "$run/summary.json"; }
@@ -52,14 +62,12 @@ killed | told)
   [ "$how" = told ] && signal=TERM
   count=0 runs=1
   while [ "$count" -lt "$times" ]; do
-    go &
-    job=$!
+    go_beside
     sleep "0.$((RANDOM % 40 + 12))"
-    if pkill -"$signal" -P "$job" 2>/dev/null; then
-      count=$((count + 1))
-    fi
+    kill -"$signal" "$job" 2>/dev/null
     wait "$job" 2>/dev/null
     status=$?
+    [ "$status" -gt 128 ] && count=$((count + 1))
     if [ "$how" = told ] && [ "$status" -ne 0 ]; then
       [ "$status" -eq 143 ] && grep -q -- "--resume $run" "$folder/log" || fail "told to stop, it ended with $status"
     fi
@@ -82,11 +90,11 @@ full)
 read_only)
   mount -t tmpfs -o size=500m none "$disk" 2>/dev/null || exit 77
   for k in 1 2 3; do
-    go &
-    job=$!
+    go_beside
     sleep "0.$((RANDOM % 40 + 30))"
     mount -o remount,ro "$disk" 2>/dev/null || { # a file is open for writing: cut it off from its disk
-      pkill -KILL -P "$job"
+      kill -KILL "$job" 2>/dev/null
+      wait "$job" 2>/dev/null
       mount -o remount,ro "$disk"
     }
     wait "$job" 2>/dev/null
@@ -97,4 +105,7 @@ read_only)
 esac
 
 finish
+"$program" --resume "$run" >"$folder/log" 2>&1 && fail "began a finished run anew"
+grep -q "has come to its end" "$folder/log" || fail "did not say that the run has come to its end"
+finish # and is as it was
 rm -rf "$folder/whole"
