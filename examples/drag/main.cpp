@@ -168,7 +168,7 @@ private:
       }
       double elapsed = r.progress_.elapsed();
       bool recording = r.table_.has_value();
-      std::uintmax_t written = recording ? r.table_->bytes() : 0;
+      std::uintmax_t written = recording ? r.table_->bytes_on_disk() : 0;
       archive(elapsed, r.grain_steps_, r.sphere_steps_, r.observers_, r.output_, r.next_frame_,
               r.next_picture_, r.watch_, recording, written);
       if constexpr (Archive::reading) {

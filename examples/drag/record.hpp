@@ -38,7 +38,7 @@ public:
   Table(const std::filesystem::path& folder, std::uintmax_t bytes)
       : csv_{scree::CsvWriter::go_on(folder / "drag.csv", columns(), bytes)} {}
 
-  [[nodiscard]] std::uintmax_t bytes() const { return csv_.bytes(); }
+  [[nodiscard]] std::uintmax_t bytes_on_disk() const { return csv_.bytes_on_disk(); }
 
   void add(const scree::DragSample& s) {
     csv_.row({s.time, s.drag, s.force, s.force_left, s.force_right, degrees(s.attitude.pitch),

@@ -15,6 +15,7 @@
 #include "scree/core/error.hpp"
 
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>

@@ -19,11 +19,9 @@ namespace scree {
 /// Whether what is written is on the disk itself before a call returns, so that it outlives a power cut too.
 enum class Durable { no, yes };
 
-namespace detail {
-
 /// Waits until the system has brought a file or folder to its disk. Does nothing where that is not known how.
 /// Returns whether it went well.
-inline bool brought_to_disk(const std::filesystem::path& file) {
+inline bool bring_to_disk(const std::filesystem::path& file) {
 #if defined(__unix__) || defined(__APPLE__)
   const int handle = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
   if (handle < 0) {
@@ -37,8 +35,6 @@ inline bool brought_to_disk(const std::filesystem::path& file) {
 #endif
 }
 
-} // namespace detail
-
 /// Writes `content` into a temporary beside `file` (`file` plus ".part") and renames it to `file`.
 /// \throws Error naming the file if it cannot be written; an older `file` is then left as it was.
 inline void write_atomically(const std::filesystem::path& file, std::string_view content,
@@ -49,7 +45,7 @@ inline void write_atomically(const std::filesystem::path& file, std::string_view
   std::ofstream out(temporary, std::ios::binary | std::ios::trunc);
   out.write(content.data(), static_cast<std::streamsize>(content.size()));
   out.close();
-  if (!out || (durable == Durable::yes && !detail::brought_to_disk(temporary))) {
+  if (!out || (durable == Durable::yes && !bring_to_disk(temporary))) {
     std::filesystem::remove(temporary, ignored);
     throw Error(message(file.string(), ": cannot be written"));
   }
@@ -60,9 +56,9 @@ inline void write_atomically(const std::filesystem::path& file, std::string_view
     throw Error(message(file.string(), ": cannot be replaced: ", failure.message()));
   }
   if (durable == Durable::yes) {
+    // Some file systems cannot do this with folders.
     const auto folder = file.parent_path();
-    (void)detail::brought_to_disk(folder.empty() ? "."
-                                                 : folder); // some file systems know no fsync of folders
+    (void)bring_to_disk(folder.empty() ? std::filesystem::path{"."} : folder);
   }
 }
 

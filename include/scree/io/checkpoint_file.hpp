@@ -105,7 +105,7 @@ inline std::string read_one_checkpoint(const std::filesystem::path& file, std::s
   const auto refuse = [&](std::string_view what) { throw Error(message(file.string(), ": ", what)); };
   const std::string head = detail::checkpoint_head(kind);
   const std::string found = text.substr(0, text.substr(0, 4096).find('\n') + 1);
-  if (found.substr(0, 17) != head.substr(0, 17)) {
+  if (!found.starts_with("scree checkpoint ")) {
     refuse("is no checkpoint");
   }
   if (found != head) {

@@ -4,6 +4,7 @@
 /// then one line per row. Lines that begin with '#' are comments.
 
 #include "scree/core/error.hpp"
+#include "scree/io/atomic_file.hpp"
 #include "scree/io/number_text.hpp"
 #include "scree/io/read_text.hpp"
 
@@ -33,12 +34,7 @@ public:
   /// \param comment written above the header, each of its lines behind "# "; none if empty.
   /// \throws Error naming the file, for a bad name too.
   CsvWriter(std::filesystem::path file, std::vector<std::string> columns, std::string_view comment = "")
-      : file_{std::move(file)}, columns_{std::move(columns)} {
-    check_columns();
-    out_.open(file_, std::ios::binary | std::ios::trunc);
-    if (!out_) {
-      throw Error(message(file_.string(), ": cannot be opened for writing"));
-    }
+      : CsvWriter{std::move(file), std::move(columns), std::ios::trunc} {
     std::string head;
     for (std::size_t begin = 0; begin < comment.size();) {
       const auto end = std::min(comment.find('\n', begin), comment.size());
@@ -51,8 +47,9 @@ public:
     put(head.append("\n"));
   }
 
-  /// Goes on with a table that this class wrote, behind its first `bytes` bytes: what follows them is cut
-  /// off. \param columns as the table has them \throws Error naming the file, where it has fewer bytes.
+  /// Goes on with a table that this class wrote behind its first `bytes` bytes; the rest is cut off.
+  /// \param columns as the table has them
+  /// \throws Error naming the file, where it has fewer bytes.
   static CsvWriter go_on(std::filesystem::path file, std::vector<std::string> columns, std::uintmax_t bytes) {
     std::error_code failure;
     const std::uintmax_t size = std::filesystem::file_size(file, failure);
@@ -66,7 +63,7 @@ public:
     if (failure) {
       throw Error(message(file.string(), ": cannot be gone on with: ", failure.message()));
     }
-    return CsvWriter{std::move(file), std::move(columns), Append{}};
+    return CsvWriter{std::move(file), std::move(columns), std::ios::app};
   }
 
   /// Appends one row of finite numbers, one per column.
@@ -94,15 +91,21 @@ public:
   /// Written by this object.
   [[nodiscard]] std::size_t rows() const { return rows_; }
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
-  /// That the file has by now.
-  [[nodiscard]] std::uintmax_t bytes() const { return std::filesystem::file_size(file_); }
+  /// Number of bytes that the file has by now, all of which are on its disk.
+  /// \throws Error naming the file where they cannot be brought there.
+  [[nodiscard]] std::uintmax_t bytes_on_disk() const {
+    if (!bring_to_disk(file_)) {
+      throw Error(message(file_.string(), ": cannot be brought to its disk"));
+    }
+    return std::filesystem::file_size(file_);
+  }
 
 private:
-  struct Append {};
-  CsvWriter(std::filesystem::path file, std::vector<std::string> columns, Append)
+  /// \param how app or trunc
+  CsvWriter(std::filesystem::path file, std::vector<std::string> columns, std::ios::openmode how)
       : file_{std::move(file)}, columns_{std::move(columns)} {
     check_columns();
-    out_.open(file_, std::ios::binary | std::ios::app);
+    out_.open(file_, std::ios::binary | how);
     if (!out_) {
       throw Error(message(file_.string(), ": cannot be opened for writing"));
     }

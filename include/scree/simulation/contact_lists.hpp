@@ -46,7 +46,9 @@ public:
   /// Of all pairs, in their order.
   [[nodiscard]] std::vector<typename Pairs::History> histories() const {
     std::vector<typename Pairs::History> out = pairs_.histories();
-    for_each_history(block_pairs_, [&](std::uint32_t pair, const auto& history) { out[pair] = history; });
+    for (const BlockPairs& block : block_pairs_) {
+      for_each_history(block, [&](std::uint32_t pair, const auto& history) { out[pair] = history; });
+    }
     return out;
   }
   [[nodiscard]] BlockPairs& block_pairs(std::size_t b) { return block_pairs_[b]; }
@@ -146,8 +148,10 @@ public:
       archive(self.pairs_);
     } else {
       Pairs laid_down = self.pairs_;
-      for_each_history(self.block_pairs_,
-                       [&](std::uint32_t pair, const auto& history) { laid_down.history(pair) = history; });
+      for (const BlockPairs& block : self.block_pairs_) {
+        for_each_history(block,
+                         [&](std::uint32_t pair, const auto& history) { laid_down.history(pair) = history; });
+      }
       archive(laid_down);
     }
     archive(self.wall_blocks_, self.near_walls_, self.listed_at_, self.skin_, self.travel_, self.wall_travel_,
@@ -172,13 +176,12 @@ private:
   static constexpr std::size_t wrap_interval = 100; // steps between two looks; ours
   static constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
 
-  template <class BlocksOfPairs, class Visit>
-  static void for_each_history(const BlocksOfPairs& blocks, Visit visit) {
-    for (const BlockPairs& block : blocks) {
-      for (const Packs* packs : block.all()) {
-        for (std::size_t k = 0; k < packs->size(); ++k) {
-          visit(packs->pair(k).number, packs->history(k));
-        }
+  /// Calls `visit(number of the pair, history)` for all that a block has in packs.
+  template <class Visit>
+  static void for_each_history(const BlockPairs& block, Visit visit) {
+    for (const Packs* packs : block.all()) {
+      for (std::size_t k = 0; k < packs->size(); ++k) {
+        visit(packs->pair(k).number, packs->history(k));
       }
     }
   }
@@ -298,11 +301,8 @@ private:
   /// Brings the histories of the packs to the list of pairs.
   void lay_histories_down(Workers& workers) {
     workers.for_each(block_pairs_.size(), [&](std::size_t b) {
-      for (const Packs* packs : block_pairs_[b].all()) {
-        for (std::size_t k = 0; k < packs->size(); ++k) {
-          pairs_.history(packs->pair(k).number) = packs->history(k);
-        }
-      }
+      for_each_history(block_pairs_[b],
+                       [this](std::uint32_t pair, const auto& history) { pairs_.history(pair) = history; });
     });
   }
 

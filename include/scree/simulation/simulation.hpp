@@ -243,9 +243,7 @@ public:
     archive(self.lists_, self.time_, self.start_time_, self.dt_, self.steps_, self.start_steps_,
             self.started_, self.half_kick_, self.limit_known_, self.lost_, self.times_);
     if constexpr (Archive::reading) {
-      const bool limit_known = self.limit_known_;
-      self.materials_changed();
-      self.limit_known_ = limit_known;
+      self.mix_materials();
       const auto spheres = std::as_const(self.bodies_).spheres();
       const bool made_of_known = std::all_of(spheres.begin(), spheres.end(), [&](const auto& sphere) {
         return sphere.material < self.materials_.size();
@@ -303,6 +301,11 @@ private:
   }
 
   void materials_changed() {
+    mix_materials();
+    limit_known_ = false;
+  }
+
+  void mix_materials() {
     const std::size_t n = materials_.size();
     pair_materials_.assign(n * n, {});
     for (std::size_t a = 0; a < n; ++a) {
@@ -311,7 +314,6 @@ private:
             materials_.pair(static_cast<MaterialId>(a), static_cast<MaterialId>(b)).template as<Real>();
       }
     }
-    limit_known_ = false;
   }
 
   void check_step() {
