@@ -2,8 +2,8 @@
 /// \file
 /// How grains are poured and come to rest, as options, and what came of it.
 
+#include "scree/laboratory/bed_recipe.hpp"
 #include "scree/laboratory/round_container.hpp"
-#include "scree/laboratory/settled_bed.hpp"
 #include "support/options.hpp"
 
 #include <string>

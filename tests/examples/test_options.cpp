@@ -1,4 +1,5 @@
 #include "scree/core/random.hpp"
+#include "support/file_content.hpp"
 #include "support/options.hpp"
 #include "support/scratch_folder.hpp"
 
@@ -12,7 +13,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <limits>
 #include <optional>
 #include <string>
@@ -21,6 +21,7 @@
 
 using namespace scree;
 using namespace scree::examples;
+using scree::test::content_of;
 using scree::test::ScratchFolder;
 
 namespace {
@@ -61,11 +62,6 @@ struct Bed {
 
 void write(const std::filesystem::path& file, std::string_view content) {
   std::ofstream(file, std::ios::binary).write(content.data(), static_cast<std::streamsize>(content.size()));
-}
-
-std::string content_of(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 std::string refusal(const std::vector<std::string>& words) {

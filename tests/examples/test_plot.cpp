@@ -1,5 +1,6 @@
 #include "scree/io/csv.hpp"
 #include "support/environment.hpp"
+#include "support/file_content.hpp"
 #include "support/plot.hpp"
 #include "support/scratch_folder.hpp"
 
@@ -12,7 +13,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -20,14 +20,10 @@
 
 using namespace scree;
 using namespace scree::examples;
+using scree::test::content_of;
 using scree::test::ScratchFolder;
 
 namespace {
-
-std::string content_of(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 bool gnuplot_is_missing() {
   if (std::system("gnuplot --version > /dev/null 2>&1") == 0) {

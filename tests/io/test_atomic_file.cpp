@@ -1,4 +1,5 @@
 #include "scree/io/atomic_file.hpp"
+#include "support/file_content.hpp"
 #include "support/scratch_folder.hpp"
 
 #include <doctest/doctest.h>
@@ -9,16 +10,8 @@
 #include <string>
 
 using namespace scree;
+using scree::test::content_of;
 using scree::test::ScratchFolder;
-
-namespace {
-
-std::string content_of(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-} // namespace
 
 TEST_CASE("a file is replaced as a whole") {
   const ScratchFolder folder;

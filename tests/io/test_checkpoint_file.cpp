@@ -1,22 +1,19 @@
 #include "scree/io/checkpoint_file.hpp"
+#include "support/file_content.hpp"
 #include "support/scratch_folder.hpp"
 
 #include <doctest/doctest.h>
 
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <string>
 
 using namespace scree;
+using scree::test::content_of;
 using scree::test::ScratchFolder;
 
 namespace {
 
-std::string content_of(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 void put(const std::filesystem::path& file, const std::string& content) {
   std::ofstream(file, std::ios::binary) << content;
 }

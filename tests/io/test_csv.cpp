@@ -1,5 +1,6 @@
 #include "scree/core/random.hpp"
 #include "scree/io/csv.hpp"
+#include "support/file_content.hpp"
 #include "support/scratch_folder.hpp"
 
 #include <doctest/doctest.h>
@@ -11,7 +12,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <limits>
 #include <optional>
 #include <string>
@@ -19,17 +19,13 @@
 #include <vector>
 
 using namespace scree;
+using scree::test::content_of;
 using scree::test::ScratchFolder;
 
 namespace {
 
 void write(const std::filesystem::path& file, std::string_view content) {
   std::ofstream(file, std::ios::binary).write(content.data(), static_cast<std::streamsize>(content.size()));
-}
-
-std::string content_of(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 /// The message of the Error that `action` throws, or nothing.
@@ -199,4 +195,24 @@ TEST_CASE("numbers are read whole or not at all") {
   }
   CHECK(number_text(0.1) == "0.1");
   CHECK(number_text(100000.0) == "1e+05");
+}
+
+TEST_CASE("a table is gone on with behind the rows that count") {
+  const ScratchFolder folder;
+  const auto file = folder / "table.csv";
+  std::uintmax_t counted = 0;
+  {
+    CsvWriter csv{file, {"a", "b"}, "made"};
+    csv.row({1.0, 2.0});
+    counted = csv.bytes_on_disk();
+    csv.row({3.0, 4.0});
+  }
+  const std::string before = content_of(file).substr(0, counted);
+  CHECK(before == "# made\na,b\n1,2\n");
+  CsvWriter::go_on(file, {"a", "b"}, counted).row({5.0, 6.0});
+  CHECK(content_of(file) == before + "5,6\n");
+  CHECK_THROWS_WITH_AS(
+      CsvWriter::go_on(file, {"a", "b"}, 1000),
+      (file.string() + ": has 19 bytes, fewer than the 1000 that were written before").c_str(), Error);
+  CHECK_THROWS_AS(CsvWriter::go_on(folder / "missing.csv", {"a"}, 0), Error);
 }

@@ -1,6 +1,7 @@
 #include "scree/core/random.hpp"
 #include "scree/geometry/mesh_topology.hpp"
 #include "scree/io/stl.hpp"
+#include "support/file_content.hpp"
 #include "support/meshes.hpp"
 #include "support/scratch_folder.hpp"
 
@@ -13,7 +14,6 @@
 #include <filesystem>
 #include <fstream>
 #include <initializer_list>
-#include <iterator>
 #include <limits>
 #include <optional>
 #include <string>
@@ -21,6 +21,7 @@
 
 using namespace scree;
 using scree::test::box_mesh;
+using scree::test::content_of;
 using scree::test::ScratchFolder;
 using scree::test::sphere_mesh;
 
@@ -28,11 +29,6 @@ namespace {
 
 void write(const std::filesystem::path& file, std::string_view content) {
   std::ofstream(file, std::ios::binary).write(content.data(), static_cast<std::streamsize>(content.size()));
-}
-
-std::string content_of(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 /// Why the file is refused, or nothing if it is read. Any other exception ends the test.

@@ -1,5 +1,6 @@
 #include "scree/core/random.hpp"
 #include "scree/io/vtk.hpp"
+#include "support/file_content.hpp"
 #include "support/scratch_folder.hpp"
 
 #include <doctest/doctest.h>
@@ -14,7 +15,6 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -23,14 +23,10 @@
 
 using namespace scree;
 using boost::property_tree::ptree;
+using scree::test::content_of;
 using scree::test::ScratchFolder;
 
 namespace {
-
-std::string content_of(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 ptree parsed(const std::string& xml) {
   std::istringstream in(xml);

@@ -2,7 +2,8 @@
 /// \file
 /// A bed of rock in the making, step by step, so that it can be kept and taken up again at any step.
 
-#include "scree/core/archive.hpp"
+#include "scree/core/error.hpp"
+#include "scree/core/random.hpp"
 #include "scree/laboratory/bed_container.hpp"
 #include "scree/laboratory/bed_recipe.hpp"
 #include "scree/laboratory/come_to_rest.hpp"
@@ -16,7 +17,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
-#include <vector>
+#include <utility>
 
 namespace scree {
 

@@ -2,7 +2,9 @@
 /// \file
 /// The dragline experiment: a bed of rock, a bucket, and what hauls it.
 
+#include "scree/core/archive.hpp"
 #include "scree/geometry/mesh_measures.hpp"
+#include "scree/laboratory/bed_making.hpp"
 #include "scree/laboratory/bucket_haul.hpp"
 #include "scree/laboratory/drag_setup.hpp"
 #include "scree/measure/attitude.hpp"

@@ -5,8 +5,8 @@
 #include "scree/geometry/clump.hpp"
 #include "scree/geometry/mass_properties.hpp"
 #include "scree/laboratory/bed_container.hpp"
+#include "scree/laboratory/bed_recipe.hpp"
 #include "scree/laboratory/rock_sample.hpp"
-#include "scree/laboratory/settled_bed.hpp"
 #include "scree/material/pair.hpp"
 
 #include <array>

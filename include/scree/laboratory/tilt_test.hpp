@@ -4,6 +4,7 @@
 
 #include "scree/core/random.hpp"
 #include "scree/laboratory/rocks_on_plate.hpp"
+#include "scree/laboratory/settled_bed.hpp"
 #include "scree/laboratory/tilt_test_setup.hpp"
 #include "scree/simulation/simulation.hpp"
 

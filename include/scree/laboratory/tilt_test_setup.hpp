@@ -2,8 +2,8 @@
 /// \file
 /// What a tilt test is given, and what it measures.
 
+#include "scree/laboratory/bed_recipe.hpp"
 #include "scree/laboratory/rock_sample.hpp"
-#include "scree/laboratory/settled_bed.hpp"
 
 #include <cstddef>
 #include <cstdint>
