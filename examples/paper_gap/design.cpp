@@ -1,7 +1,5 @@
 #include "design.hpp"
 
-#include <boost/math/distributions/students_t.hpp>
-
 #include <Eigen/Dense>
 
 #include <cmath>
@@ -141,10 +139,6 @@ Analysis analysed(const std::vector<Response>& all) {
     out.interactions.push_back(effect(groups[g].name, every, 1 + factor_count + g));
   }
   return out;
-}
-
-double student95(double freedom) {
-  return boost::math::quantile(boost::math::students_t{freedom}, 0.975);
 }
 
 } // namespace paper_gap

@@ -63,7 +63,4 @@ struct Analysis {
 /// By least squares, each replicate counting once. Values that are no numbers are left out.
 Analysis analysed(const std::vector<Response>& responses);
 
-/// Half the width of the 95 % interval over the standard error. \param freedom above 0
-double student95(double freedom);
-
 } // namespace paper_gap

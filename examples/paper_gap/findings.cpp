@@ -37,7 +37,7 @@ MotionFinding finding_of(std::span<const Done> runs, Motion motion) {
     }
   }
   for (std::size_t k = 0; k < readings.size(); ++k) {
-    out.mean[k] = mean_of(values[k]);
+    out.mean[k] = Mean{values[k]};
   }
   return out;
 }
@@ -54,7 +54,7 @@ DepthCheck depth_check(const Base& base, std::span<const Done> runs) {
     end.push_back(Outcome::end(run.outcome->depth));
     end_by_pitch.push_back(depth_by_pitch(base, *run.outcome, 0.95));
   }
-  return {near.size(), mean_of(near), mean_of(near_by_pitch), mean_of(end), mean_of(end_by_pitch)};
+  return {near.size(), Mean{near}, Mean{near_by_pitch}, Mean{end}, Mean{end_by_pitch}};
 }
 
 /// Whether a mean with the scatter of single replicates is within `tolerance` of what is stated, but for
@@ -78,7 +78,7 @@ std::vector<Agreement> agreements(std::span<const Done> runs, const Findings& f)
     if (near.empty()) {
       continue;
     }
-    Agreement a{r, mean_of(near), mean_of(end), mean_of(pitch), false, false};
+    Agreement a{r, Mean{near}, Mean{end}, Mean{pitch}, false, false};
     const auto force_fits = [&](const Mean& mean, double is_stated, const Analysis& of) {
       return agrees(logarithm(mean.value), std::log(is_stated), std::log(force_tolerance), of.scatter,
                     near.size());
@@ -97,20 +97,6 @@ std::vector<Agreement> agreements(std::span<const Done> runs, const Findings& f)
 }
 
 } // namespace
-
-Mean mean_of(std::span<const double> values) {
-  Mean out{0.0, 0.0};
-  const auto n = static_cast<double>(values.size());
-  for (const double v : values) {
-    out.value += v / n;
-  }
-  for (const double v : values) {
-    out.error += (v - out.value) * (v - out.value) / (n * (n - 1.0));
-  }
-  out.error = values.size() < 2 ? none : std::sqrt(out.error);
-  out.value = values.empty() ? none : out.value;
-  return out;
-}
 
 Findings found(const Base& base, std::span<const Done> runs) {
   Findings out{.motions = {},

@@ -5,6 +5,8 @@
 #include "design.hpp"
 #include "runs.hpp"
 
+#include "support/mean.hpp"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -34,11 +36,7 @@ struct Done {
   std::string failure;
 };
 
-/// Mean of the replicates and its standard error, which is no number for fewer than two.
-struct Mean {
-  double value, error;
-};
-Mean mean_of(std::span<const double> values);
+using scree::examples::Mean;
 
 /// A number that is read off a run.
 struct Reading {

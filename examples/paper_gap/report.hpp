@@ -30,5 +30,7 @@ nlohmann::ordered_json summary(const Report& report);
 std::string page(const Report& report, const std::string& figure);
 /// What the runs say, sentence by sentence.
 std::vector<std::string> sentences(const Report& report);
+/// What the published figures leave open, in numbers where there are some.
+std::vector<std::string> undecided(const Report& report);
 
 } // namespace paper_gap

@@ -180,7 +180,7 @@ private:
         levels.push_back(
             {value, observed(plan, trials, sweep.experiment, sweep.observable, stiffness, friction)});
         const auto& runs = levels.back().observed;
-        const ex::MeanOfRuns mean = ex::mean_of_runs(runs);
+        const ex::Mean mean = ex::mean_of_runs(runs);
         table.row({value, mean.value, mean.error, static_cast<double>(runs.size())});
         rows.push_back(
             {{sweep.parameter, value}, {sweep.observable, mean.value}, {"standard_error", mean.error}});
@@ -221,7 +221,7 @@ private:
          {MassConvention::sum_of_spheres, MassConvention::union_of_spheres}) {
       const ex::Plan plan = plan_of({"bulk_density"}, convention);
       ex::Trials trials{plan, campaign_, wish_.limit, wish_.replicates, show_progress_};
-      const ex::MeanOfRuns mean =
+      const ex::Mean mean =
           ex::mean_of_runs(observed(plan, trials, "bulk_density", "bulk_density_kg_m3",
                                     rock_.material().normal_stiffness, rock_.material().friction));
       const std::string name{to_string(convention)};

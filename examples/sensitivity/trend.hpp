@@ -3,6 +3,7 @@
 /// How a result goes with a parameter, from a few runs at each of a few values.
 
 #include "scree/core/error.hpp"
+#include "support/mean.hpp"
 
 #include <cmath>
 #include <cstddef>
@@ -17,23 +18,10 @@ struct Level {
   std::vector<double> observed{}; ///< 2 or more, each above 0
 };
 
-struct MeanOfRuns {
-  double value = 0.0, error = 0.0; ///< mean and its standard error
-};
-
 /// \throws Error for fewer than two runs.
-inline MeanOfRuns mean_of_runs(std::span<const double> observed) {
+inline Mean mean_of_runs(std::span<const double> observed) {
   require("runs of a mean", static_cast<double>(observed.size()), {2.0, 1e9});
-  MeanOfRuns out;
-  const auto n = static_cast<double>(observed.size());
-  for (const double v : observed) {
-    out.value += v / n;
-  }
-  for (const double v : observed) {
-    out.error += (v - out.value) * (v - out.value) / (n * (n - 1.0));
-  }
-  out.error = std::sqrt(out.error);
-  return out;
+  return Mean{observed};
 }
 
 /// observed ~ parameter^exponent. An exponent of 1 means in proportion, one of 0.1 that twice the parameter
@@ -74,7 +62,7 @@ inline Trend trend(std::span<const Level> levels) {
     }
   }
   require_positive("spread of the parameters of a trend", sxx);
-  const MeanOfRuns first = mean_of_runs(levels.front().observed), last = mean_of_runs(levels.back().observed);
+  const Mean first = mean_of_runs(levels.front().observed), last = mean_of_runs(levels.back().observed);
   const double ratio = last.value / first.value;
   const auto ends = [&](const Level& level) { return variance / static_cast<double>(level.observed.size()); };
   return {.exponent = sxy / sxx,

@@ -69,9 +69,11 @@ struct Fit {
 
   /// How far the true slope or root may be away, with the confidence `level`.
   [[nodiscard]] double slope_margin(double level) const {
-    return Mean::student(freedom, level) * slope_error;
+    return Mean::student(static_cast<double>(freedom), level) * slope_error;
   }
-  [[nodiscard]] double root_margin(double level) const { return Mean::student(freedom, level) * root_error; }
+  [[nodiscard]] double root_margin(double level) const {
+    return Mean::student(static_cast<double>(freedom), level) * root_error;
+  }
 };
 
 } // namespace validation

@@ -11,7 +11,7 @@ using namespace scree;
 using namespace scree::examples;
 
 TEST_CASE("a mean of runs and its standard error") {
-  const MeanOfRuns mean = mean_of_runs(std::vector{1.0, 2.0, 6.0});
+  const Mean mean = mean_of_runs(std::vector{1.0, 2.0, 6.0});
   CHECK(mean.value == doctest::Approx(3.0));
   CHECK(mean.error == doctest::Approx(std::sqrt((4.0 + 1.0 + 9.0) / 2.0 / 3.0)));
   CHECK_THROWS_AS(mean_of_runs(std::vector{1.0}), Error);

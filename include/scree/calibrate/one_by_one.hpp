@@ -11,7 +11,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -178,13 +177,9 @@ private:
       throw Error(message("one by one: all ", outcomes.size(), " runs for ", measured_[step.observable].name,
                           " failed: ", reason));
     }
-    const auto n = static_cast<double>(seen.size());
-    const double mean = std::accumulate(seen.begin(), seen.end(), 0.0) / n;
-    double squares = 0.0;
-    for (const double v : seen) {
-      squares += (v - mean) * (v - mean);
-    }
-    return {mean, n > 1.0 ? std::sqrt(squares / (n * (n - 1.0))) : 0.0};
+    const Measured again{.name = measured_[step.observable].name, .replicates = std::move(seen)};
+    const bool scatter = again.replicates.size() > 1;
+    return {again.mean(), scatter ? std::sqrt(again.variance_of_mean()) : 0.0};
   }
 
   std::vector<Parameter> space_;
