@@ -4,6 +4,7 @@
 
 #include "scree/core/error.hpp"
 #include "scree/simulation/domain.hpp"
+#include "scree/simulation/held_pairs.hpp"
 #include "scree/simulation/pair_loop.hpp"
 #include "scree/simulation/spatial_order.hpp"
 #include "scree/simulation/wall_contacts.hpp"
@@ -23,7 +24,8 @@ namespace scree {
 /// half of the search's skin. Of those pairs, each block has in packs what touches or may do so within some
 /// steps, as they hold for half of a far smaller skin: most pairs of the list never touch. Everything that
 /// makes lists anew is here.
-template <class Real, ContactLaw Law, NeighbourSearch Search, class AnyWall>
+/// \tparam rests whether bodies may rest (simulation/resting.hpp): pairs of two that do are in no pack
+template <class Real, ContactLaw Law, NeighbourSearch Search, class AnyWall, bool rests>
 class ContactLists {
 public:
   static constexpr int history_size = Law::history_size;
@@ -35,6 +37,16 @@ public:
     Packs within;   ///< the second is in the block too
     Packs crossing; ///< it is in another one
     Packs wrapped;  ///< its periodic image is meant
+
+    /// A pair of spheres that is held from now on, or no longer.
+    struct Changed {
+      std::size_t i;
+      Partner j;
+      std::size_t number; ///< in the list of pairs
+    };
+    std::vector<Changed> changed;
+    std::vector<std::uint32_t> touched; ///< spheres on which the force can change
+    bool begun = false;                 ///< the forces on all others are what is held
 
     [[nodiscard]] std::array<const Packs*, 3> all() const { return {&within, &crossing, &wrapped}; }
   };
@@ -52,6 +64,7 @@ public:
     return out;
   }
   [[nodiscard]] BlockPairs& block_pairs(std::size_t b) { return block_pairs_[b]; }
+  [[nodiscard]] std::span<const BlockPairs> block_pairs() const { return block_pairs_; }
   [[nodiscard]] std::span<const Block> blocks() const { return blocks_; }
   [[nodiscard]] std::span<const OneWallBlock> wall_blocks() const { return wall_blocks_; }
   [[nodiscard]] OneWallBlock& wall_block(std::size_t b) { return wall_blocks_[b]; }
@@ -101,11 +114,11 @@ public:
       sorted_at_ = step;
     }
     renew_pairs(domain, bodies, workers);
-    blocks_ = divided(bodies);
+    divide(bodies);
     block_pairs_.clear();
     block_pairs_.resize(blocks_.size());
-    renew_packs(domain, bodies, workers);
     renew_wall_candidates(bodies, walls, workers);
+    renew_packs(domain, bodies, workers); // asks for the candidates of walls
     listed_at_.resize(bodies.sphere_count());
     for (std::size_t s = 0; s < listed_at_.size(); ++s) {
       listed_at_[s] = bodies.spheres()[s].position;
@@ -114,6 +127,12 @@ public:
     valid_ = true;
     ++renewals_;
     return true;
+  }
+
+  /// Deals the pairs out to the packs anew, after some bodies went to rest or woke.
+  void change_over(const Domain& domain, const Bodies<Real>& bodies, Workers& workers) {
+    lay_histories_down(workers);
+    renew_packs(domain, bodies, workers);
   }
 
   /// Puts the bodies of `order` in that order and drops the others; histories follow. The lists are no longer
@@ -161,7 +180,7 @@ public:
   bool rebuild(const Domain& domain, const Bodies<Real>& bodies, std::span<const AnyWall> walls,
                Workers& workers) {
     block_pairs_.clear();
-    blocks_ = divided(bodies);
+    divide(bodies);
     if (!consistent(bodies, walls)) {
       return false;
     }
@@ -314,9 +333,17 @@ private:
     return std::min(skin_, std::max(least * skin_, std::sqrt(1.5 * step_travel_ * skin_)));
   }
 
+  void divide(const Bodies<Real>& bodies) {
+    blocks_ = divided(bodies);
+    held_.forget();
+  }
+
   void renew_packs(const Domain& domain, const Bodies<Real>& bodies, Workers& workers) {
     pack_skin_ = pack_skin();
     pack_travel_ = 0.0;
+    if constexpr (rests) {
+      held_.note(bodies, blocks_, pairs_, workers);
+    }
     workers.for_each(blocks_.size(), [&](std::size_t b) { renew_packs(b, domain, bodies); });
     std::size_t slots = 0;
     for (Block& block : blocks_) {
@@ -342,6 +369,41 @@ private:
       }
     }
     slots_.resize(slots);
+    if (held_.any()) {
+      workers.for_each(blocks_.size(), [this](std::size_t b) { find_touched(b); });
+    }
+  }
+
+  /// Lists the spheres of a block on which the force can change.
+  void find_touched(std::size_t b) {
+    const Block& block = blocks_[b];
+    BlockPairs& pairs = block_pairs_[b];
+    pairs.touched.clear();
+    pairs.begun = false;
+    const std::size_t first = block.first_sphere;
+    std::vector<std::uint8_t> touched(block.end_sphere - first);
+    for (std::size_t s = first; s < block.end_sphere; ++s) {
+      touched[s - first] = held_.rests(s) ? 0 : 1;
+    }
+    for (const Packs* packs : pairs.all()) {
+      for (std::size_t k = 0; k < packs->size(); ++k) {
+        touched[packs->pair(k).i - first] = 1;
+      }
+    }
+    for (std::size_t k = 0; k < pairs.within.size(); ++k) {
+      touched[pairs.within.pair(k).j - first] = 1;
+    }
+    for (const Block::Incoming& in : block.incoming) {
+      touched[in.sphere - first] = 1;
+    }
+    for (const WallCandidate& candidate : wall_blocks_[b].candidates) {
+      touched[candidate.sphere - first] = 1;
+    }
+    for (std::size_t k = 0; k < touched.size(); ++k) {
+      if (touched[k] != 0) {
+        pairs.touched.push_back(static_cast<std::uint32_t>(first + k));
+      }
+    }
   }
 
   void renew_packs(std::size_t b, const Domain& domain, const Bodies<Real>& bodies) {
@@ -351,10 +413,26 @@ private:
     out.within.clear();
     out.crossing.clear();
     out.wrapped.clear();
+    out.changed.clear();
+    if (held_.all_held(b)) {
+      return;
+    }
     for (std::size_t i = block.first_sphere; i < block.end_sphere; ++i) {
       const SphereRecord<Real>& own = spheres[i];
       for (std::size_t pair = pairs_.begin_of(i); pair < pairs_.begin_of(i + 1); ++pair) {
         const Partner partner = pairs_.partner(pair);
+        bool held = false;
+        if constexpr (rests) {
+          if (held_.any()) {
+            held = held_.held(i, partner.sphere);
+            if (held != held_.was_held(i, partner.sphere)) {
+              out.changed.push_back({i, partner, pair});
+            }
+          }
+        }
+        if (held) {
+          continue;
+        }
         const SphereRecord<Real>& other = spheres[partner.sphere];
         const double reach = own.radius + other.radius + pack_skin_;
         const Vec3<double> apart = own.position - other.position - domain.shift(partner.image);
@@ -404,6 +482,7 @@ private:
   std::vector<BlockPairs> block_pairs_;
   std::vector<ForceRecord<Real>> slots_;
   std::vector<std::size_t> near_walls_;
+  HeldPairs held_;
   std::vector<Vec3<double>> listed_at_;
   double skin_ = 0.0, travel_ = 0.0, wall_travel_ = 0.0;
   double pack_skin_ = 0.0, pack_travel_ = 0.0, step_travel_ = 0.0;

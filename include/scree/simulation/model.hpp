@@ -6,6 +6,7 @@
 #include "scree/integrators/leapfrog.hpp"
 #include "scree/neighbours/cell_grid.hpp"
 #include "scree/neighbours/verlet_list.hpp"
+#include "scree/simulation/resting.hpp"
 #include "scree/walls/fixed.hpp"
 #include "scree/walls/force_controlled.hpp"
 #include "scree/walls/prescribed.hpp"
@@ -39,6 +40,9 @@ struct DefaultModel {
   using Integrator = Leapfrog;
   /// The kinds of wall that may be added; see walls/concept.hpp.
   using Walls = scree::Walls<Fixed, Prescribed, ForceControlled, RopeCoupled>;
+  /// Whether bodies that have come to rest are left alone: AllAwake or RestingRegions
+  /// (simulation/resting.hpp).
+  using Rest = AllAwake;
   /// Whether the work of friction, dashpots and local damping is summed.
   static constexpr bool energy_audit = true;
 };
@@ -52,6 +56,7 @@ concept FillsAllSlots = requires {
   typename Model::Neighbours;
   typename Model::Integrator;
   typename Model::Walls;
+  { Model::Rest::rests } -> std::convertible_to<bool>;
   { Model::energy_audit } -> std::convertible_to<bool>;
 };
 
@@ -131,7 +136,7 @@ inline constexpr bool lists_walls<Walls<Dynamics...>> = (WallDynamicsCheck<Dynam
 template <class Model>
 struct ModelCheck {
   static_assert(FillsAllSlots<Model>,
-                "scree: Model is missing one of Real, Contact, Neighbours, Integrator, Walls, "
+                "scree: Model is missing one of Real, Contact, Neighbours, Integrator, Walls, Rest, "
                 "energy_audit: derive it from DefaultModel (simulation/model.hpp)");
   using Real = typename Model::Real;
   using Neighbours = typename Model::Neighbours;
@@ -168,6 +173,7 @@ std::string model_name() {
                  ", Neighbours = ", name(std::type_identity<typename Model::Neighbours>{}),
                  ", Integrator = ", name(std::type_identity<typename Model::Integrator>{}),
                  ", Walls = ", name(std::type_identity<typename Model::Walls>{}),
+                 ", Rest = ", name(std::type_identity<typename Model::Rest>{}),
                  ", energy_audit = ", Model::energy_audit);
 }
 
@@ -176,6 +182,7 @@ template <class Model = DefaultModel>
 struct Setup {
   typename Model::Contact contact{};            ///< the law with the parameters of its extensions
   typename Model::Neighbours neighbours{};      ///< the search with its parameters
+  typename Model::Rest rest{};                  ///< what counts as rest
   Stiffness stiffness = Stiffness::of_particle; ///< what the stiffness of a material stands for
   Vector gravity = Vector{0.0, 0.0, -9.81};     ///< m/s2
   Vector period = Vector::Zero();               ///< m, from 0 in each direction; 0: not periodic

@@ -22,8 +22,7 @@ template <class Real>
 void fetch_forces(const Block& block, std::span<const ForceRecord<Real>> slots, Bodies<Real>& bodies) {
   const auto forces = bodies.forces();
   for (const Block::Incoming& in : block.incoming) {
-    forces[in.sphere].force += slots[in.slot].force;
-    forces[in.sphere].torque += slots[in.slot].torque;
+    forces[in.sphere] += slots[in.slot];
   }
 }
 
@@ -70,6 +69,9 @@ public:
   void move(const Block& block) {
     Batch clumps;
     for (std::size_t b = block.first_body; b < block.end_body; ++b) {
+      if (at_rest(bodies_.activity(b))) {
+        continue;
+      }
       switch (bodies_.kind(b)) {
       case BodyKind::lone:
         move_lone(b);

@@ -143,9 +143,10 @@ private:
     const Vec3<T> force = normal * kept(f.normal) + tangential;
     const Vec3<T> turn = cross(normal, tangential);
     const Vec3<T> on_i = couple - turn * touch.arm_i, on_j = couple + turn * touch.arm_j;
-    const Fields<T> forces{force.x, force.y, force.z, T(0)};
-    const Loads loads_i{forces, {on_i.x, on_i.y, on_i.z, T(0)}};
-    const Loads loads_j{forces, {on_j.x, on_j.y, on_j.z, T(0)}};
+    const T pressed = larger(kept(f.normal), -kept(f.normal));
+    const Loads loads_i{{force.x, force.y, force.z, pressed}, {on_i.x, on_i.y, on_i.z, T(0)}};
+    // To be taken from the second sphere.
+    const Loads loads_j{{force.x, force.y, force.z, -pressed}, {on_j.x, on_j.y, on_j.z, T(0)}};
     // Pair after pair, so that sums do not depend on which pairs make a pack.
     for_each_lane<T>([&](auto lane) {
       loads_i.template apply<lane>(force_at(pack.force_i[lane]), std::plus<>{});

@@ -4,12 +4,14 @@
 
 #include "scree/core/archive.hpp"
 #include "scree/packing/packing.hpp"
+#include "scree/simulation/change_over.hpp"
 #include "scree/simulation/contact_lists.hpp"
 #include "scree/simulation/contact_view.hpp"
 #include "scree/simulation/gates.hpp"
 #include "scree/simulation/model.hpp"
 #include "scree/simulation/motion_loop.hpp"
 #include "scree/simulation/pair_loop.hpp"
+#include "scree/simulation/resting.hpp"
 #include "scree/simulation/runaway.hpp"
 #include "scree/simulation/step_limit.hpp"
 #include "scree/simulation/step_times.hpp"
@@ -58,7 +60,8 @@ public:
         materials_{setup_.stiffness},
         domain_{setup_.period},
         workers_{setup_.threads},
-        lists_{setup_.neighbours, setup_.sort_interval} {
+        lists_{setup_.neighbours, setup_.sort_interval},
+        rest_{setup_.rest} {
     require("local_damping", setup_.local_damping, {0.0, 0.999});
     require("step_safety", setup_.step_safety, {1e-6, 1.0});
     require("time_step", setup_.time_step, {0.0, std::numeric_limits<double>::max(), "s"});
@@ -150,19 +153,33 @@ public:
     return count;
   }
   /// Gives body `b` another motion; `w` in space.
-  void set_motion(std::size_t b, const Vector& v, const Vector& w) { bodies_.set_motion(b, v, w); }
+  void set_motion(std::size_t b, const Vector& v, const Vector& w) {
+    wake_all();
+    bodies_.set_motion(b, v, w);
+  }
   /// Hands wall `w` over to other dynamics, from where it is now on.
   void set_dynamics(std::size_t w, AnyDynamics dynamics) {
     walls_.at(w).dynamics = std::move(dynamics);
     limit_known_ = false;
+    wake_all();
     if (started_) {
       start_wall(walls_[w]);
     }
   }
-  void set_gravity(const Vector& gravity) { setup_.gravity = gravity; }
+  void set_gravity(const Vector& gravity) {
+    setup_.gravity = gravity;
+    wake_all();
+  }
   /// \throws Error outside [0, 0.999].
   void set_local_damping(double alpha) {
     setup_.local_damping = require("local_damping", alpha, {0.0, 0.999});
+  }
+  /// Changes what counts as rest, and wakes all.
+  /// \throws Error for a field out of its range.
+  void set_rest(const typename Model::Rest& rest) {
+    wake_all();
+    rest_.set_rule(rest);
+    setup_.rest = rest;
   }
   /// Changes what a material is made of, for bodies and walls alike; the density of bodies already there
   /// stays.
@@ -210,6 +227,8 @@ public:
   }
   [[nodiscard]] const Dissipation& dissipation() const { return lost_; }
   [[nodiscard]] const StepTimes& times() const { return times_; }
+  /// Free bodies that rest now (simulation/resting.hpp).
+  [[nodiscard]] std::size_t resting_count() const { return rest_.count(); }
   [[nodiscard]] std::size_t list_renewals() const { return lists_.renewals(); }
   /// Pairs on the list, touching or not.
   [[nodiscard]] std::size_t listed_pairs() const { return lists_.pairs().size(); }
@@ -241,7 +260,7 @@ public:
       archive(wall);
     }
     archive(self.lists_, self.time_, self.start_time_, self.dt_, self.steps_, self.start_steps_,
-            self.started_, self.half_kick_, self.limit_known_, self.lost_, self.times_);
+            self.started_, self.half_kick_, self.limit_known_, self.lost_, self.times_, self.rest_);
     if constexpr (Archive::reading) {
       self.mix_materials();
       const auto spheres = std::as_const(self.bodies_).spheres();
@@ -296,11 +315,13 @@ private:
   }
 
   void bodies_changed() {
+    wake_all();
     lists_.invalidate();
     limit_known_ = false;
   }
 
   void materials_changed() {
+    wake_all();
     mix_materials();
     limit_known_ = false;
   }
@@ -342,11 +363,38 @@ private:
   // ---- lists ----
 
   void keep_lists() {
-    if (lists_.keep_valid(steps_, time_, domain_, bodies_, walls_, workers_)) {
+    const bool renewed = lists_.keep_valid(steps_, time_, domain_, bodies_, walls_, workers_);
+    if (renewed) {
       make_room_for_results();
       if (walls_give_way()) {
         check_step(); // a body among many grains is held more stiffly than at the start
       }
+    }
+    look_for_rest();
+  }
+
+  // ---- rest ----
+
+  void wake_all() {
+    if (rest_.count() > 0) {
+      rest_.wake_all(bodies_);
+      lists_.invalidate();
+    }
+  }
+
+  void look_for_rest() {
+    if constexpr (Model::Rest::rests) {
+      if (!rest_.due(steps_) ||
+          !rest_.look(steps_, dt_, setup_.gravity,
+                      detail::disturbed_by_walls(lists_.wall_blocks(), walls(), bodies_), lists_.blocks(),
+                      workers_, bodies_)) {
+        return;
+      }
+      lost_.resting += rest_.taken();
+      lists_.change_over(domain_, bodies_, workers_);
+      detail::HeldForces held{setup_.contact, pair_material(), domain_, static_cast<Real>(dt_), bodies_};
+      held.change(lists_.block_pairs(), lists_.pairs());
+      rest_.changed_over(bodies_);
     }
   }
 
@@ -403,13 +451,15 @@ private:
 
   void compute_forces(std::size_t b) {
     const auto begin = Clock::now();
-    const Block& block = lists_.blocks()[b];
     BlockResult& result = block_results_[b];
-    const auto forces = bodies_.forces().subspan(block.first_sphere, block.end_sphere - block.first_sphere);
-    std::fill(forces.begin(), forces.end(), ForceRecord<Real>{});
+    auto& pairs = lists_.block_pairs(b);
+    begin_forces(b);
     std::fill(result.walls.begin(), result.walls.end(), WallSum{});
     result.lost = {};
-    auto& pairs = lists_.block_pairs(b);
+    result.spent = {};
+    if (is_left_alone(b)) {
+      return;
+    }
     pair_loop<false>().add_all(pairs.within, result.lost);
     const auto slots = lists_.slots(b);
     const std::size_t crossing = pairs.crossing.pack_count() * pairs.crossing.lanes;
@@ -423,10 +473,42 @@ private:
     result.spent.walls = StepTimes::seconds(at_walls, Clock::now());
   }
 
+  /// Whether nothing in a block can change.
+  [[nodiscard]] bool is_left_alone(std::size_t b) const {
+    return Model::Rest::rests && rest_.count() > 0 && lists_.block_pairs()[b].touched.empty();
+  }
+
+  /// Sets the forces on a block to what is held.
+  void begin_forces(std::size_t b) {
+    const auto forces = bodies_.forces();
+    const auto first = static_cast<std::ptrdiff_t>(lists_.blocks()[b].first_sphere);
+    const auto end = static_cast<std::ptrdiff_t>(lists_.blocks()[b].end_sphere);
+    if constexpr (Model::Rest::rests) {
+      if (rest_.count() > 0) {
+        const auto held = std::as_const(bodies_).held_forces();
+        auto& pairs = lists_.block_pairs(b);
+        if (!pairs.begun) {
+          std::copy(held.begin() + first, held.begin() + end, forces.begin() + first);
+          pairs.begun = true;
+        } else {
+          for (const std::uint32_t s : pairs.touched) {
+            forces[s] = held[s];
+          }
+        }
+        return;
+      }
+    }
+    std::fill(forces.begin() + first, forces.begin() + end, ForceRecord<Real>{});
+  }
+
   void move(std::size_t b, const TimeStep& now) {
     const auto begin = Clock::now();
     const Block& block = lists_.blocks()[b];
     BlockResult& result = block_results_[b];
+    if (is_left_alone(b)) {
+      result.fastest = 0.0;
+      return;
+    }
     fetch_forces(block, std::as_const(lists_).slots(), bodies_);
     result.fastest = move_bodies<typename Model::Integrator, Model::energy_audit>(
         block, now, setup_.local_damping, bodies_, result.lost);
@@ -482,7 +564,8 @@ private:
 
   Bodies<Real> bodies_;
   std::vector<WallBody> walls_;
-  ContactLists<Real, Law, typename Model::Neighbours, WallBody> lists_;
+  ContactLists<Real, Law, typename Model::Neighbours, WallBody, Model::Rest::rests> lists_;
+  decltype(detail::keeper_of<Real>(typename Model::Rest{})) rest_;
   std::vector<BlockResult> block_results_;
 
   double time_ = 0.0, start_time_ = 0.0, dt_ = 0.0;

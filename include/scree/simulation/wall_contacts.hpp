@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <tuple>
 #include <vector>
@@ -18,6 +19,8 @@ struct WallCandidate {
   std::uint32_t sphere;
   std::uint16_t wall, surface;
   std::uint32_t first_facet, facet_count; ///< in the facet list, for a mesh
+  /// m, centre of the sphere when its contacts were last looked for; not a number before
+  Vec3<double> seen{std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0};
 };
 
 /// A sphere that touches a surface. The contact is known again in the next step by where it is on the wall,

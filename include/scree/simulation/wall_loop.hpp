@@ -93,11 +93,13 @@ private:
     Matrix axes; ///< of the wall's frame, in space
     Vector position;
     double inverse_mass; ///< 1/kg, as a contact sees it
+    bool still;
 
     explicit InStep(const AnyWall& wall)
         : axes{wall.motion.orientation.toRotationMatrix()},
           position{wall.motion.position},
-          inverse_mass{wall.inverse_mass()} {}
+          inverse_mass{wall.inverse_mass()},
+          still{stands_still(wall.dynamics)} {}
   };
 
   /// Makes the list of contacts anew; those that were there keep their histories.
@@ -107,9 +109,20 @@ private:
     block.tilts.clear();
     auto old = block.before.begin();
     SurfaceContacts found;
-    for (const WallCandidate& candidate : block.candidates) {
+    for (WallCandidate& candidate : block.candidates) {
       const InStep& wall = in_step_[candidate.wall];
       const SphereRecord<Real>& sphere = std::as_const(bodies_).spheres()[candidate.sphere];
+      const auto key = std::tuple{candidate.sphere, candidate.wall, candidate.surface};
+      if (wall.still && sphere.position == candidate.seen) {
+        for (; old != block.before.end() && old->key() <= key; ++old) {
+          if (old->key() == key) {
+            block.contacts.push_back(*old);
+            block.tilts.emplace_back(Vector::Zero());
+          }
+        }
+        continue;
+      }
+      candidate.seen = sphere.position;
       const Vector centre = to_eigen(sphere.position);
       found.clear();
       walls_[candidate.wall].surfaces[candidate.surface].touch(
@@ -118,7 +131,6 @@ private:
       if (found.empty()) {
         continue;
       }
-      const auto key = std::tuple{candidate.sphere, candidate.wall, candidate.surface};
       while (old != block.before.end() && old->key() < key) {
         ++old;
       }
@@ -216,6 +228,8 @@ private:
     const Vec3<T> torque = f.couple - cross(k.normal, f.tangential) * touch.arm;
 
     const auto forces_of = stored(force), torques = stored(torque), couples = stored(f.couple);
+    std::array<Real, width> pressed;
+    Lanes<T>::store(larger(f.normal, -f.normal), pressed.data());
     std::array<std::array<Real, width>, history_size> histories;
     for (std::size_t h = 0; h < history_size; ++h) {
       Lanes<T>::store(history[h], histories[h].data());
@@ -227,8 +241,7 @@ private:
     for (std::size_t lane = 0; lane < count; ++lane) {
       Contact& c = block.contacts[first + lane];
       const auto of = [lane](const auto& v) { return Vec3<Real>{v[0][lane], v[1][lane], v[2][lane]}; };
-      forces[c.sphere].force += of(forces_of);
-      forces[c.sphere].torque += of(torques);
+      forces[c.sphere] += {.force = of(forces_of), .pressed = pressed[lane], .torque = of(torques)};
       c.force = to_eigen(of(forces_of));
       for (std::size_t h = 0; h < history_size; ++h) {
         c.history[h] = histories[h][lane];

@@ -4,6 +4,7 @@
 
 #include "scree/core/error.hpp"
 #include "scree/geometry/clump.hpp"
+#include "scree/state/activity.hpp"
 #include "scree/state/placement.hpp"
 #include "scree/state/records.hpp"
 
@@ -67,6 +68,7 @@ public:
 
     const std::size_t b = size();
     kinds_.push_back(given.fixed ? BodyKind::fixed : lone ? BodyKind::lone : BodyKind::clump);
+    activities_.push_back(given.fixed ? Activity::resting : Activity::fresh);
     ids_.push_back(next_id_);
     materials_.push_back(given.material);
     solid_volumes_.push_back(clump.union_volume * s3);
@@ -82,6 +84,7 @@ public:
       body_of_.push_back(static_cast<std::uint32_t>(b));
     }
     forces_.resize(spheres_.size());
+    held_forces_.resize(held_forces_.empty() ? 0 : spheres_.size());
     first_.push_back(static_cast<std::uint32_t>(spheres_.size()));
     const Vector velocity = given.fixed ? Vector(Vector::Zero()) : given.velocity;
     const Vector spin = given.fixed ? Vector(Vector::Zero()) : given.angular_velocity;
@@ -138,6 +141,8 @@ public:
   [[nodiscard]] std::uint64_t id(std::size_t b) const { return ids_[b]; }
   [[nodiscard]] BodyKind kind(std::size_t b) const { return kinds_[b]; }
   [[nodiscard]] bool is_fixed(std::size_t b) const { return kinds_[b] == BodyKind::fixed; }
+  /// A fixed body always rests.
+  [[nodiscard]] Activity activity(std::size_t b) const { return activities_[b]; }
   [[nodiscard]] std::uint16_t material(std::size_t b) const { return materials_[b]; }
   /// m3, of the union of its spheres.
   [[nodiscard]] double solid_volume(std::size_t b) const { return solid_volumes_[b]; }
@@ -158,12 +163,20 @@ public:
   [[nodiscard]] std::span<const SphereRecord<Real>> spheres() const { return spheres_; }
   /// What acted on each sphere in the last step: contacts only, without gravity.
   [[nodiscard]] std::span<const ForceRecord<Real>> forces() const { return forces_; }
+  /// The part of them that comes from contacts between resting bodies; empty where none has rested yet.
+  [[nodiscard]] std::span<const ForceRecord<Real>> held_forces() const { return held_forces_; }
 
   // ---- what the simulation writes
   // -----------------------------------------------------------------------------
 
   [[nodiscard]] std::span<SphereRecord<Real>> spheres() { return spheres_; }
   [[nodiscard]] std::span<ForceRecord<Real>> forces() { return forces_; }
+  /// For each sphere.
+  [[nodiscard]] std::span<ForceRecord<Real>> held_forces() {
+    held_forces_.resize(spheres_.size());
+    return held_forces_;
+  }
+  void set_activity(std::size_t b, Activity activity) { activities_[b] = activity; }
   /// Of a body that is not lone.
   [[nodiscard]] BodyRecord<Real>& record(std::size_t b) { return rigid_[rigid_of_[b]]; }
   [[nodiscard]] const BodyRecord<Real>& record(std::size_t b) const { return rigid_[rigid_of_[b]]; }
@@ -218,19 +231,29 @@ public:
       members_.push_back({});
     }
     kinds_[b] = BodyKind::fixed;
-    record(b).velocity = record(b).angular_velocity = {};
+    activities_[b] = Activity::resting;
+    stop(b);
+    for (std::size_t s = first_[b]; s < first_[b + 1]; ++s) {
+      spheres_[s].inverse_mass = 0;
+    }
+  }
+  /// Takes its motion from a body.
+  void stop(std::size_t b) {
+    if (!is_lone(b)) {
+      record(b).velocity = record(b).angular_velocity = {};
+    }
     for (std::size_t s = first_[b]; s < first_[b + 1]; ++s) {
       spheres_[s].velocity = spheres_[s].angular_velocity = {};
-      spheres_[s].inverse_mass = 0;
     }
   }
 
   /// All of it (core/archive.hpp).
   template <class Self, class Archive>
   static void fields(Self& self, Archive& archive) {
-    archive(self.kinds_, self.ids_, self.materials_, self.solid_volumes_, self.bounding_radii_,
-            self.mobilities_, self.first_, self.spheres_, self.forces_, self.rigid_of_, self.rigid_,
-            self.first_member_, self.members_, self.body_of_, self.next_id_);
+    archive(self.kinds_, self.activities_, self.ids_, self.materials_, self.solid_volumes_,
+            self.bounding_radii_, self.mobilities_, self.first_, self.spheres_, self.forces_,
+            self.held_forces_, self.rigid_of_, self.rigid_, self.first_member_, self.members_, self.body_of_,
+            self.next_id_);
     if constexpr (Archive::reading) {
       if (!self.consistent()) {
         archive.fail("bodies and spheres do not belong together");
@@ -277,6 +300,7 @@ public:
       values = std::move(picked);
     };
     pick(kinds_, order);
+    pick(activities_, order);
     pick(ids_, order);
     pick(materials_, order);
     pick(solid_volumes_, order);
@@ -284,6 +308,9 @@ public:
     pick(mobilities_, order);
     pick(spheres_, kept);
     pick(forces_, kept);
+    if (!held_forces_.empty()) {
+      pick(held_forces_, kept);
+    }
     pick(rigid_, rigid);
     pick(members_, members);
     return moved_to;
@@ -295,12 +322,15 @@ private:
   /// Whether all that is read of a body is there.
   [[nodiscard]] bool consistent() const {
     const std::size_t n = size(), spheres = spheres_.size(), rigid = rigid_.size();
-    bool well = ids_.size() == n && materials_.size() == n && solid_volumes_.size() == n &&
-                bounding_radii_.size() == n && mobilities_.size() == n && rigid_of_.size() == n &&
-                first_.size() == n + 1 && first_.front() == 0 && first_.back() == spheres &&
-                forces_.size() == spheres && body_of_.size() == spheres && first_member_.size() == rigid;
+    bool well = activities_.size() == n && ids_.size() == n && materials_.size() == n &&
+                solid_volumes_.size() == n && bounding_radii_.size() == n && mobilities_.size() == n &&
+                rigid_of_.size() == n && first_.size() == n + 1 && first_.front() == 0 &&
+                first_.back() == spheres && forces_.size() == spheres &&
+                (held_forces_.empty() || held_forces_.size() == spheres) && body_of_.size() == spheres &&
+                first_member_.size() == rigid;
     for (std::size_t b = 0; well && b < n; ++b) {
-      well = kinds_[b] <= BodyKind::fixed && first_[b] < first_[b + 1] && ids_[b] < next_id_ &&
+      well = kinds_[b] <= BodyKind::fixed && activities_[b] <= Activity::resting &&
+             first_[b] < first_[b + 1] && ids_[b] < next_id_ &&
              (is_lone(b) ? first_[b + 1] - first_[b] == 1
                          : rigid_of_[b] < rigid &&
                                first_member_[rigid_of_[b]] + (first_[b + 1] - first_[b]) <= members_.size());
@@ -321,6 +351,7 @@ private:
   }
 
   std::vector<BodyKind> kinds_;
+  std::vector<Activity> activities_;
   std::vector<std::uint64_t> ids_;
   std::vector<std::uint16_t> materials_;
   std::vector<double> solid_volumes_;
@@ -329,7 +360,7 @@ private:
   std::vector<std::uint32_t> first_{0};
 
   std::vector<SphereRecord<Real>> spheres_;
-  std::vector<ForceRecord<Real>> forces_;
+  std::vector<ForceRecord<Real>> forces_, held_forces_;
 
   // Of bodies that are not lone: a lone sphere's own record holds all.
   std::vector<std::uint32_t> rigid_of_; // number of the body's record, or none

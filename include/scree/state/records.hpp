@@ -27,10 +27,17 @@ static_assert(sizeof(SphereRecord<double>) == 96 && sizeof(SphereRecord<float>) 
 /// What acts on a sphere in one step, about its own centre.
 template <class Real>
 struct alignas(8 * sizeof(Real)) ForceRecord {
-  Vec3<Real> force; ///< N
-  Real unused = 0;
+  Vec3<Real> force;  ///< N
+  Real pressed = 0;  ///< N, sum of the magnitudes of the normal forces at its contacts
   Vec3<Real> torque; ///< N m
-  Real unused_too = 0;
+  Real unused = 0;
+
+  ForceRecord& operator+=(const ForceRecord& other) {
+    force += other.force;
+    pressed += other.pressed;
+    torque += other.torque;
+    return *this;
+  }
 };
 static_assert(sizeof(ForceRecord<double>) == 64 && sizeof(ForceRecord<float>) == 32);
 

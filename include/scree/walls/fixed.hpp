@@ -4,6 +4,9 @@
 
 #include "scree/walls/concept.hpp"
 
+#include <type_traits>
+#include <variant>
+
 namespace scree {
 
 struct Fixed {
@@ -13,5 +16,11 @@ struct Fixed {
   }
   static void advance(WallMotion&, const WallLoad&, const TimeStep&) {}
 };
+
+/// Whether a wall of these dynamics never moves.
+template <class... Dynamics>
+bool stands_still(const std::variant<Dynamics...>& dynamics) {
+  return std::visit([](const auto& d) { return std::is_same_v<std::decay_t<decltype(d)>, Fixed>; }, dynamics);
+}
 
 } // namespace scree
