@@ -35,6 +35,7 @@ struct DragModel : scree::DefaultModel {
   using Neighbours = scree::VerletList<scree::CellGrid>;
   using Integrator = scree::Leapfrog;
   using Walls = scree::Walls<scree::Fixed, scree::RopeCoupled>;
+  using Rest = scree::RestingRegions;
 };
 
 using Rig = scree::DragRig<DragModel>;
@@ -169,7 +170,7 @@ private:
       double elapsed = r.progress_.elapsed();
       bool recording = r.table_.has_value();
       std::uintmax_t written = recording ? r.table_->bytes_on_disk() : 0;
-      archive(elapsed, r.grain_steps_, r.sphere_steps_, r.observers_, r.output_, r.next_frame_,
+      archive(elapsed, r.grain_steps_, r.resting_steps_, r.sphere_steps_, r.observers_, r.output_, r.next_frame_,
               r.next_picture_, r.watch_, recording, written);
       if constexpr (Archive::reading) {
         r.progress_.add_earlier(elapsed);
@@ -290,6 +291,7 @@ private:
     summary_["wall_time_s"] = all;
     summary_["steps"] = rig.simulation().steps();
     summary_["grain_steps_per_s"] = grain_steps_ / stepping;
+    summary_["resting_share"] = resting_steps_ / grain_steps_;
     summary_["sphere_steps_per_s"] = sphere_steps_ / stepping;
     summary_["time_shares"] = {{"search", t.search / all},
                                {"contact", t.contact / all},
@@ -310,6 +312,7 @@ private:
 
   void count(const auto& simulation) {
     grain_steps_ += static_cast<double>(simulation.bodies().size());
+    resting_steps_ += static_cast<double>(simulation.resting_count());
     sphere_steps_ += static_cast<double>(simulation.bodies().sphere_count());
   }
   void complain(const std::string& complaint) {
@@ -337,7 +340,7 @@ private:
   double next_frame_ = 0.0, next_picture_ = 0.0; // m, of drag
   Json summary_;
   ex::Progress progress_;
-  double grain_steps_ = 0.0, sphere_steps_ = 0.0;
+  double grain_steps_ = 0.0, resting_steps_ = 0.0, sphere_steps_ = 0.0; // of grains left alone: the second
   double observers_ = 0.0, output_ = 0.0; // s
   std::string last_complaint_;
 };

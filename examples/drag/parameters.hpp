@@ -56,6 +56,13 @@ inline void bind(Options& options, Parameters& p) {
   options.add("checkpoint_interval", p.checkpoint_interval, {0.0, 1e9, "s"},
               "of wall time, between two checkpoints; a stopped run goes on with --resume FOLDER");
   options.add("step_safety", p.step_safety, {0.01, 1.0}, "share of the critical time step");
+  scree::RestingRegions& r = s.resting;
+  options.add("resting.speed", r.speed, {0.0, 1e3, "m/s"},
+              "grains slower than this, and in balance, are left alone while the bucket is pulled; 0: none");
+  options.add("resting.force", r.force, {1e-9, 0.999},
+              "imbalance that wakes a grain, over the sum of the normal forces on it");
+  options.add("resting.window", r.window, {1.0, 1e9}, "steps over which that speed is a mean");
+  options.add("resting.interval", r.interval, {1.0, 1e9}, "steps between two looks at grains left alone");
   options.add("skin_share", p.skin_share, {0.01, 10.0},
               "skin of the neighbour list over the smallest radius");
 

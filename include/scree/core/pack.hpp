@@ -72,6 +72,10 @@ template <class Mask>
 bool any_bit(const Mask& m) {
   return m != 0;
 }
+template <class Mask>
+std::uint32_t bits_of(const Mask& m) {
+  return m;
+}
 #else
 inline constexpr bool has_estimates = false;
 template <class Register>
@@ -120,6 +124,15 @@ bool any_bit(const Mask& m) {
   }
   return bits != 0;
 }
+template <class Mask>
+std::uint32_t bits_of(const Mask& m) {
+  constexpr std::size_t lanes = sizeof m / sizeof m[0];
+  std::uint32_t bits = 0;
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    bits |= m[lane] != 0 ? 1U << lane : 0U;
+  }
+  return bits;
+}
 #endif
 
 template <class Register, std::size_t... k>
@@ -142,6 +155,8 @@ public:
   struct Mask {
     decltype(detail::below(Native{}, Native{})) lanes;
     friend bool any(const Mask& m) { return detail::any_bit(m.lanes); }
+    /// Bit by bit from the lowest, for each lane.
+    [[nodiscard]] std::uint32_t bits() const { return detail::bits_of(lanes); }
     friend Mask operator&&(const Mask& a, const Mask& b) {
       return {static_cast<decltype(a.lanes)>(a.lanes & b.lanes)};
     }

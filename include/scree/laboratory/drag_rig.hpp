@@ -113,6 +113,7 @@ public:
     last_sample_ = simulation_.time();
     next_removal_ = setup_.removal_interval;
     haul_.begin(simulation_, wall_, setup_, bucket_, winch_start_);
+    begin_resting();
   }
 
   /// Steps for about `interval` [s] of simulated time, at least one step. Goes on with an interval that was
@@ -193,6 +194,9 @@ public:
       if (self.phase_ >= Phase::placing) {
         self.lay_bucket();
       }
+      if (self.phase_ == Phase::dragging) {
+        self.begin_resting();
+      }
     }
     archive(self.simulation_);
   }
@@ -226,7 +230,18 @@ private:
       throw Error(message("bed_width = ", setup_.bed_width, " m is narrower than the bucket, ",
                           box_.sizes().y(), " m"));
     }
+    if (!Model::Rest::rests && setup_.resting.speed != 0.0) {
+      throw Error(message("resting.speed = ", setup_.resting.speed,
+                          " m/s: in this simulation nothing rests (Model::Rest is not RestingRegions)"));
+    }
+    setup_.resting.check();
     haul_.check(setup_);
+  }
+
+  void begin_resting() {
+    if constexpr (Model::Rest::rests) {
+      simulation_.set_rest(setup_.resting);
+    }
   }
 
   /// Where `laid_` says.

@@ -8,6 +8,7 @@
 #include "scree/laboratory/bed_recipe.hpp"
 #include "scree/laboratory/rock_sample.hpp"
 #include "scree/material/pair.hpp"
+#include "scree/simulation/resting.hpp"
 
 #include <array>
 #include <cmath>
@@ -65,6 +66,8 @@ struct DragSetup {
   bool remove_behind = true;
   double removal_distance = 1.0; ///< bucket lengths behind the bucket [paper]
   double removal_interval = 0.1; ///< m of drag between two removals
+
+  RestingRegions resting{}; ///< once the bucket is pulled, in a model with that policy
 
   [[nodiscard]] BedContainer container() const {
     return shaped_bed ? BedContainer::shaped(bed_length, bed_width, bed_depth)

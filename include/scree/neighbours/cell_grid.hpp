@@ -3,9 +3,11 @@
 /// A grid of cells as wide as the longest reach of a contact.
 
 #include "scree/core/error.hpp"
+#include "scree/core/pack.hpp"
 #include "scree/neighbours/concept.hpp"
 
 #include <array>
+#include <bit>
 #include <cmath>
 
 namespace scree {
@@ -31,13 +33,7 @@ public:
         for (std::size_t y = low[1]; y <= high[1]; ++y) {
           // The cells of a row in x are neighbours in memory, so three of them are one stretch.
           const std::size_t line = (z * cells_[1] + y) * cells_[0];
-          const std::size_t begin = start_[line + low[0]], end = start_[line + high[0] + 1];
-          for (std::size_t m = begin; m < end; ++m) {
-            const std::uint32_t k = members_[m];
-            if (k > i && within(balls[i], balls[k], margin)) {
-              row.push_back(k);
-            }
-          }
+          append_within(i, balls[i], margin, start_[line + low[0]], start_[line + high[0] + 1], row);
         }
       }
     });
@@ -80,9 +76,37 @@ private:
       start_[c] += start_[c - 1];
     }
     members_.resize(balls.size());
+    // The last pack reads beyond the end.
+    for (std::vector<double>* values : {&x_, &y_, &z_, &radius_, &number_}) {
+      values->resize(balls.size() + Pack<double>::width);
+    }
     next_.assign(start_.begin(), start_.end() - 1);
     for (std::size_t i = 0; i < balls.size(); ++i) {
-      members_[next_[cell_of_[i]]++] = static_cast<std::uint32_t>(i);
+      const std::size_t place = next_[cell_of_[i]]++;
+      members_[place] = static_cast<std::uint32_t>(i);
+      x_[place] = balls[i].centre.x;
+      y_[place] = balls[i].centre.y;
+      z_[place] = balls[i].centre.z;
+      radius_[place] = balls[i].radius;
+      number_[place] = static_cast<double>(i);
+    }
+  }
+
+  /// Appends those of the members `begin` to `end` with a number above i that are within the margin.
+  void append_within(std::size_t i, const Ball& ball, double margin, std::size_t begin, std::size_t end,
+                     std::vector<std::uint32_t>& row) const {
+    using T = Pack<double>;
+    const T x{ball.centre.x}, y{ball.centre.y}, z{ball.centre.z}, radius{ball.radius + margin}, own{i};
+    for (std::size_t m = begin; m < end; m += T::width) {
+      const Vec3<T> apart{T::loaded(&x_[m]) - x, T::loaded(&y_[m]) - y, T::loaded(&z_[m]) - z};
+      const T reach = T::loaded(&radius_[m]) + radius;
+      std::uint32_t near = (squared_norm(apart) < reach * reach && T::loaded(&number_[m]) > own).bits();
+      if (end - m < T::width) {
+        near &= (1U << (end - m)) - 1U;
+      }
+      for (; near != 0; near &= near - 1U) {
+        row.push_back(members_[m + static_cast<std::size_t>(std::countr_zero(near))]);
+      }
     }
   }
 
@@ -98,6 +122,7 @@ private:
   std::array<std::size_t, 3> cells_{};
   std::vector<std::size_t> start_, next_;
   std::vector<std::uint32_t> members_, cell_of_;
+  std::vector<double> x_, y_, z_, radius_, number_; // m, of the members, in their order; what they are
 };
 
 } // namespace scree
