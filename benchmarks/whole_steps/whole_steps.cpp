@@ -1,8 +1,13 @@
 // How long does a whole time step take, per sphere and per contact?
 
 #include "../support/periodic_bed.hpp"
+#include "scree/contact/adhesion.hpp"
+#include "scree/contact/attrition.hpp"
 #include "scree/contact/hertz_mindlin.hpp"
 #include "scree/contact/linear_spring.hpp"
+#include "scree/contact/normal_exponent.hpp"
+#include "scree/contact/normal_hysteresis.hpp"
+#include "scree/contact/rate_friction.hpp"
 #include "scree/contact/rolling_resistance.hpp"
 #include "scree/geometry/dragline_bucket.hpp"
 #include "scree/packing/templates.hpp"
@@ -11,6 +16,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 
 namespace {
@@ -88,6 +94,36 @@ void spheres(benchmark::State& state) {
   time_steps(state, simulation);
 }
 
+/// Gives an extension a parameter that is not null, weak enough that the bed stays as it is.
+void set_working(RollingResistance&) {}
+void set_working(Adhesion& of) {
+  of.work = 1e-4;
+}
+void set_working(Attrition& of) {
+  of.rate = 1e-3;
+}
+void set_working(NormalExponent& of) {
+  of.exponent = 1.1;
+}
+void set_working(NormalHysteresis& of) {
+  of.ratio = 1.2;
+}
+void set_working(RateFriction& of) {
+  of.slope = 0.1;
+}
+
+template <class Base>
+Base working(const std::type_identity<Base>&) {
+  return {};
+}
+template <class... Extensions>
+LinearSpring<Extensions...> working(const std::type_identity<LinearSpring<Extensions...>>&) {
+  return LinearSpring<Extensions...>{[](auto extension) {
+    set_working(extension);
+    return extension;
+  }(Extensions{})...};
+}
+
 /// The bed with another law. The modulus makes a contact of the laws of Hertz about as stiff, under the mean
 /// force in the bed, as one of the linear laws.
 template <class Law>
@@ -95,7 +131,9 @@ void spheres_by_law(benchmark::State& state) {
   using Model = BedModel<double, true, Law>;
   constexpr double stable = 0.0; // s: the step that is stable with this law
   const PeriodicBed bed = bed_of(cell_of_spheres(), state.range(0));
-  Simulation<Model> simulation{bed_setup<Model>(bed, static_cast<unsigned>(state.range(1)), stable)};
+  auto setup = bed_setup<Model>(bed, static_cast<unsigned>(state.range(1)), stable);
+  setup.contact = working(std::type_identity<Law>{});
+  Simulation<Model> simulation{setup};
   Material material = bed_material();
   material.youngs_modulus = 1.7e9;
   material.rolling_friction = 0.1;
@@ -148,6 +186,11 @@ BENCHMARK_TEMPLATE(spheres, float, true)->Apply(middling_bed);
 BENCHMARK_TEMPLATE(spheres, float, false)->Apply(middling_bed);
 BENCHMARK_TEMPLATE(spheres_by_law, LinearSpring<>)->Apply(middling_bed);
 BENCHMARK_TEMPLATE(spheres_by_law, LinearSpring<RollingResistance>)->Apply(middling_bed);
+BENCHMARK_TEMPLATE(spheres_by_law, LinearSpring<Adhesion>)->Apply(middling_bed);
+BENCHMARK_TEMPLATE(spheres_by_law, LinearSpring<NormalExponent>)->Apply(middling_bed);
+BENCHMARK_TEMPLATE(spheres_by_law, LinearSpring<NormalHysteresis>)->Apply(middling_bed);
+BENCHMARK_TEMPLATE(spheres_by_law, LinearSpring<RateFriction>)->Apply(middling_bed);
+BENCHMARK_TEMPLATE(spheres_by_law, LinearSpring<Attrition>)->Apply(middling_bed);
 BENCHMARK_TEMPLATE(spheres_by_law, HertzMindlin<>)->Apply(middling_bed);
 BENCHMARK_TEMPLATE(spheres_by_law, HertzMindlin<RollingResistance>)->Apply(middling_bed);
 BENCHMARK(clumps)->Apply(middling_bed);

@@ -18,6 +18,10 @@ using namespace scree;
 
 namespace {
 
+struct Resting : DefaultModel {
+  using Rest = RestingRegions;
+};
+
 BucketBody paper_bucket() {
   return {make_dragline_bucket(), bucket_interior(), hitch_points(), estimated_from_plates()};
 }
@@ -39,8 +43,7 @@ DragSetup small_drag() {
 
 /// What a drag comes to: mean force [N], pitch [degrees] and depth [m] at the end.
 template <class Model>
-std::array<double, 3> dragged(std::uint64_t seed) {
-  DragSetup setup = small_drag();
+std::array<double, 3> dragged(DragSetup setup, std::uint64_t seed) {
   setup.seed = seed;
   DragRig<Model> rig{setup, paper_bucket()};
   rig.make_bed(Assembly{default_rock(setup.mass_convention), setup.size_factor},
@@ -58,28 +61,58 @@ std::array<double, 3> dragged(std::uint64_t seed) {
   return {force / samples, sample.attitude.pitch * 180.0 / std::numbers::pi, sample.depth};
 }
 
-} // namespace
-
-TEST_CASE("long: a drag in float gives the force, pitch and depth that it gives in double") {
-  // Grains that push past each other soon differ by all they can, whatever the number type: another type is
-  // another seed, and only means can be compared.
-  std::array<std::vector<double>, 3> exact, coarse;
+/// Compares the means over some seeds. Grains that push past each other soon differ by all they can, whatever
+/// is other: it is another seed, and only means can be compared.
+template <class Model, class Other>
+void check_alike(const DragSetup& setup, const DragSetup& other, const std::string& what) {
+  std::array<std::vector<double>, 3> first, second;
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
-    const auto a = dragged<DefaultModel>(seed), b = dragged<test::LinearInFloat>(seed);
+    const auto a = dragged<Model>(setup, seed), b = dragged<Other>(other, seed);
     for (std::size_t k = 0; k < 3; ++k) {
-      exact[k].push_back(a[k]);
-      coarse[k].push_back(b[k]);
+      first[k].push_back(a[k]);
+      second[k].push_back(b[k]);
     }
   }
   constexpr double student = 3.71; // t at 99 % on both sides, 6 degrees of freedom
   for (std::size_t k = 0; k < 3; ++k) {
-    const validation::Mean a{exact[k]}, b{coarse[k]};
+    const validation::Mean a{first[k]}, b{second[k]};
     const double error = std::hypot(a.error, b.error);
     MESSAGE(std::array<std::string, 3>{"force [N]", "pitch [degrees]", "depth [m]"}.at(k)
-            << ": " << a.value << " in double, " << b.value << " in float, standard error of the difference "
+            << ": " << a.value << ", " << what << " " << b.value << ", standard error of the difference "
             << error);
     CHECK(std::abs(a.value - b.value) < student * error);
   }
+}
+
+} // namespace
+
+TEST_CASE("long: a drag in float gives the force, pitch and depth that it gives in double") {
+  check_alike<DefaultModel, test::LinearInFloat>(small_drag(), small_drag(), "in float");
+}
+
+TEST_CASE("long: a drag with resting regions gives the force, pitch and depth that it gives without") {
+  DragSetup resting = small_drag();
+  resting.resting = {.speed = 0.0075, .force = 0.1, .window = 500, .interval = 20};
+  check_alike<DefaultModel, Resting>(small_drag(), resting, "with resting regions");
+}
+
+TEST_CASE("physics: grains that the bucket does not move rest while it is pulled, and not before") {
+  DragSetup setup = small_drag();
+  setup.drag_distance = 0.04;
+  setup.resting = {.speed = 0.02, .force = 0.2, .window = 100, .interval = 20};
+  DragRig<Resting> rig{setup, paper_bucket()};
+  std::size_t early = 0, late = 0;
+  const auto count = [](std::size_t& sum) {
+    return [&sum](const auto& s, const auto&...) { sum += s.resting_count(); };
+  };
+  rig.make_bed(Assembly{default_rock(setup.mass_convention), setup.size_factor}, count(early));
+  rig.place_bucket(count(early));
+  const std::size_t begin = rig.simulation().steps();
+  while (!rig.done()) {
+    rig.advance(0.02, count(late));
+  }
+  CHECK(early == 0);
+  CHECK(late > (rig.simulation().steps() - begin) * rig.simulation().bodies().size() / 10);
 }
 
 TEST_CASE("physics: a bucket is dragged over a bed, its grains counted and removed, the same for any number "
@@ -129,6 +162,10 @@ TEST_CASE("gravity leans against the drag where the bed rises towards the winch"
 }
 
 TEST_CASE("a rig that cannot work is refused by the parameter that is wrong") {
+  DragSetup hasty = small_drag();
+  hasty.resting.speed = 0.01;
+  CHECK_THROWS_WITH_AS((DragRig<DefaultModel>{hasty, paper_bucket()}),
+                       doctest::Contains("resting.speed = 0.01 m/s"), Error);
   const auto refused = [](auto change) {
     DragSetup s = small_drag();
     change(s);

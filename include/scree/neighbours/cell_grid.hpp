@@ -96,11 +96,12 @@ private:
   void append_within(std::size_t i, const Ball& ball, double margin, std::size_t begin, std::size_t end,
                      std::vector<std::uint32_t>& row) const {
     using T = Pack<double>;
-    const T x{ball.centre.x}, y{ball.centre.y}, z{ball.centre.z}, radius{ball.radius + margin}, own{i};
+    const T x{ball.centre.x}, y{ball.centre.y}, z{ball.centre.z}, radius{ball.radius}, gap{margin}, own{i};
     for (std::size_t m = begin; m < end; m += T::width) {
       const Vec3<T> apart{T::loaded(&x_[m]) - x, T::loaded(&y_[m]) - y, T::loaded(&z_[m]) - z};
-      const T reach = T::loaded(&radius_[m]) + radius;
-      std::uint32_t near = (squared_norm(apart) < reach * reach && T::loaded(&number_[m]) > own).bits();
+      const T reach = radius + T::loaded(&radius_[m]) + gap;
+      std::uint32_t near =
+          (T::loaded(&number_[m]) > own).bits() & ~(squared_norm(apart) > reach * reach).bits();
       if (end - m < T::width) {
         near &= (1U << (end - m)) - 1U;
       }
