@@ -52,7 +52,8 @@ void check_alike(Make make, Value value) {
   const examples::Mean a{stepped.values}, b{rested.values};
   MESSAGE(a.value, " +- ", a.error, ", ", b.value, " +- ", b.error, ", resting ", rested.resting);
   CHECK(rested.resting > 0.05);
-  CHECK(std::abs(a.value - b.value) < 2.5 * std::hypot(a.error, b.error));
+  constexpr double student = 3.71; // t at 99 % on both sides, 6 degrees of freedom
+  CHECK(std::abs(a.value - b.value) < student * std::hypot(a.error, b.error));
 }
 
 } // namespace

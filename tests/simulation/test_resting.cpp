@@ -290,7 +290,6 @@ TEST_CASE("physics: a run with resting bodies that is taken up at any step ends 
   for (std::size_t k = 0; k < states.size(); ++k) {
     CAPTURE(splits[k]);
     const auto other = poured<Resting>(static_cast<unsigned>(1 + k % 2));
-    other->set_rest(rule);
     other->set_dynamics(piston, Prescribed{[begin](double time) {
                           return Pose{{0.05 * (time - begin), 0.0, 0.0}, Quaternion::Identity()};
                         }});

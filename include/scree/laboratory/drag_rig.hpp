@@ -113,7 +113,9 @@ public:
     last_sample_ = simulation_.time();
     next_removal_ = setup_.removal_interval;
     haul_.begin(simulation_, wall_, setup_, bucket_, winch_start_);
-    begin_resting();
+    if constexpr (Model::Rest::rests) {
+      simulation_.set_rest(setup_.resting);
+    }
   }
 
   /// Steps for about `interval` [s] of simulated time, at least one step. Goes on with an interval that was
@@ -194,9 +196,6 @@ public:
       if (self.phase_ >= Phase::placing) {
         self.lay_bucket();
       }
-      if (self.phase_ == Phase::dragging) {
-        self.begin_resting();
-      }
     }
     archive(self.simulation_);
   }
@@ -236,12 +235,6 @@ private:
     }
     setup_.resting.check();
     haul_.check(setup_);
-  }
-
-  void begin_resting() {
-    if constexpr (Model::Rest::rests) {
-      simulation_.set_rest(setup_.resting);
-    }
   }
 
   /// Where `laid_` says.

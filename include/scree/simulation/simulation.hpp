@@ -255,6 +255,12 @@ public:
     archive.section("simulation");
     self.check_alike(archive);
     archive(self.setup_.gravity, self.setup_.local_damping, self.materials_, self.bodies_);
+    if constexpr (Model::Rest::rests) {
+      archive(self.setup_.rest);
+      if constexpr (Archive::reading) {
+        self.rest_.set_rule(self.setup_.rest);
+      }
+    }
     for (auto& wall : self.walls_) {
       archive.section(wall.name);
       archive(wall);
