@@ -170,8 +170,8 @@ private:
       double elapsed = r.progress_.elapsed();
       bool recording = r.table_.has_value();
       std::uintmax_t written = recording ? r.table_->bytes_on_disk() : 0;
-      archive(elapsed, r.grain_steps_, r.resting_steps_, r.sphere_steps_, r.observers_, r.output_, r.next_frame_,
-              r.next_picture_, r.watch_, recording, written);
+      archive(elapsed, r.grain_steps_, r.resting_steps_, r.sphere_steps_, r.observers_, r.output_,
+              r.next_frame_, r.next_picture_, r.watch_, recording, written);
       if constexpr (Archive::reading) {
         r.progress_.add_earlier(elapsed);
         if (recording) {
@@ -341,7 +341,7 @@ private:
   Json summary_;
   ex::Progress progress_;
   double grain_steps_ = 0.0, resting_steps_ = 0.0, sphere_steps_ = 0.0; // of grains left alone: the second
-  double observers_ = 0.0, output_ = 0.0; // s
+  double observers_ = 0.0, output_ = 0.0;                               // s
   std::string last_complaint_;
 };
 
