@@ -109,3 +109,35 @@ TEST_CASE_TEMPLATE("lanes are numbered from 0 and a number fills them all", Real
     CHECK(empty[lane] == Real(0));
   }
 }
+
+TEST_CASE_TEMPLATE("powers of packs are those of their lanes", Real, float, double) {
+  Random random{5};
+  constexpr double rounding = std::numeric_limits<Real>::epsilon();
+  for (int k = 0; k < 20000; ++k) {
+    const Numbers<Real> logs = drawn<Real>(random, -30.0, 30.0);
+    Numbers<Real> a{};
+    for (std::size_t lane = 0; lane < a.size(); ++lane) {
+      a[lane] = std::exp(logs[lane]);
+    }
+    const double exponent = random.uniform(-1.0, 2.0);
+    const Numbers<Real> powers = taken_apart(power(Pack<Real>::loaded(a.data()), exponent));
+    for (std::size_t lane = 0; lane < a.size(); ++lane) {
+      const double expected = std::pow(static_cast<double>(a[lane]), exponent);
+      REQUIRE(std::abs(static_cast<double>(powers[lane]) - expected) <
+              (4.0 + std::abs(std::log(expected))) * rounding * expected);
+    }
+  }
+}
+
+TEST_CASE_TEMPLATE("powers of packs at the ends of their range", Real, float, double) {
+  constexpr Real none = std::numeric_limits<Real>::quiet_NaN();
+  const auto first = [](Real a, double exponent) { return power(Pack<Real>(a), exponent)[0]; };
+  CHECK(first(0, 0.3) == 0);
+  CHECK(first(0, 0.0) == 1);
+  CHECK(first(1, 0.37) == 1);
+  CHECK(first(static_cast<Real>(0.7), 0.0) == 1);
+  CHECK(std::isinf(first(0, -1.0)));
+  CHECK(std::isnan(first(none, 0.3)));
+  CHECK(first(std::numeric_limits<Real>::min(), 0.5) ==
+        doctest::Approx(std::sqrt(std::numeric_limits<Real>::min())).epsilon(1e-6));
+}

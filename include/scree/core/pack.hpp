@@ -4,6 +4,7 @@
 /// has room for: 2 doubles on any x86-64, 8 with AVX-512.
 
 #include "scree/core/numeric.hpp"
+#include "scree/core/power.hpp"
 
 #include <cmath>
 #include <concepts>
@@ -143,8 +144,8 @@ auto joined(const Register& a, const Register& b, std::index_sequence<k...>) {
 } // namespace detail
 
 /// Arithmetic, comparison and the operations of core/numeric.hpp, in each lane with the rounding of the plain
-/// number, but for the reciprocals: where the machine has a fast estimate of them (AVX-512) they may be off
-/// by two units in the last place. A number converts explicitly; all lanes then hold it.
+/// number, but for powers and the reciprocals: where the machine has a fast estimate of these (AVX-512) they
+/// may be off by two units in the last place. A number converts explicitly; all lanes then hold it.
 template <std::floating_point Real>
 class Pack {
 public:
@@ -201,8 +202,18 @@ public:
   friend Pack cosine(const Pack& a) {
     return generated([&](std::size_t lane) { return std::cos(a[lane]); });
   }
+  /// Of numbers that are 0 or above; see core/power.hpp for how good it is.
   friend Pack power(const Pack& a, double exponent) {
-    return generated([&](std::size_t lane) { return scree::power(a[lane], exponent); });
+    if constexpr (std::is_same_v<Real, double>) {
+      using Bits = typename detail::VectorOf<std::uint64_t, width>::type;
+      return Pack{detail::power_of<Bits>(a.lanes_, exponent)};
+    } else {
+      using Half = Pack<double>;
+      const auto half = [&](std::size_t first) {
+        return Half::generated([&](std::size_t lane) { return static_cast<double>(a[first + lane]); });
+      };
+      return narrowed(power(half(0), exponent), power(half(Half::width), exponent));
+    }
   }
   friend Pack reciprocal(const Pack& a) {
     if constexpr (detail::has_estimates) {
