@@ -16,8 +16,8 @@ namespace scree::detail {
 template <class Bits, class Doubles>
 Doubles power_of(const Doubles& a, double exponent) {
   constexpr double two_52 = 4503599627370496.0;
-  constexpr std::uint64_t bits_of_two_52 = std::bit_cast<std::uint64_t>(two_52);
-  constexpr std::uint64_t bits_of_one = std::bit_cast<std::uint64_t>(1.0);
+  constexpr auto bits_of_two_52 = std::bit_cast<std::uint64_t>(two_52);
+  constexpr auto bits_of_one = std::bit_cast<std::uint64_t>(1.0);
   constexpr std::uint64_t fraction = (std::uint64_t{1} << 52U) - 1U;
   constexpr double ln2_high = 0x1.62e42fefa38p-1,
                    ln2_low = 0x1.ef35793c7673p-45; // the high one has zeros at its end
