@@ -251,7 +251,8 @@ private:
       }
     }
     throw Error(message("OE", test, " strains by ", range, " in its first loading, the simulated ones by ",
-                        paths_.back().range(), " to ", paths_.front().range(), ": extend --stiffnesses"));
+                        paths_.back().range(), " to ", paths_.front().range(),
+                        ": extend --stiffnesses, or pour denser with a lower --packing_friction"));
   }
 
   void compare(const sand::SandTest& test, CsvWriter& table, std::vector<ex::Panel>& panels) {
