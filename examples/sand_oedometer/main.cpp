@@ -20,6 +20,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -169,6 +170,9 @@ public:
     for (const sand::SandTest& test : tests) {
       compare(test, table, panels);
     }
+    if (panels.empty()) {
+      throw Error("none of the tests could be fitted");
+    }
     fmt::print(stderr, "{}",
                ex::draw_plot(folder_, "sand_oedometer",
                              "Karlsruhe fine sand and a linear contact law, fitted to the first loading",
@@ -215,13 +219,14 @@ private:
         mean.porosity += outcome.values.at(3 * level_count);
       }
       if (count == 0.0) {
-        throw Error(message("all runs failed at a stiffness of ", wish_.stiffnesses[s]));
+        continue; // the reason has been printed
       }
       for (double& strain : mean.strain) {
         strain /= count;
       }
       mean.porosity /= count;
       paths_.push_back(std::move(mean));
+      stiffnesses_.push_back(wish_.stiffnesses[s]);
       const Numbers n = numbers_of(paths_.back());
       summary_["simulated"].push_back({{"stiffness_over_stress_and_diameter", wish_.stiffnesses[s]},
                                        {"strain_of_the_loading", paths_.back().range()},
@@ -230,12 +235,16 @@ private:
                                        {"reload_ratio", n.reload_ratio},
                                        {"unload_ratio", n.unload_ratio}});
     }
+    if (paths_.size() < 2) {
+      throw Error(message("--stiffnesses: two at least must be simulated, and ", paths_.size(), " of ",
+                          wish_.stiffnesses.size(), " could be"));
+    }
     save();
   }
 
   /// The stiffness whose first loading strains as much as `range`, and the path there, between two simulated
-  /// ones by straight lines in logarithms. \throws Error outside of what was simulated.
-  std::pair<double, Path> fitted(double range, int test) const {
+  /// ones by straight lines in logarithms; nothing outside of what was simulated.
+  std::optional<std::pair<double, Path>> fitted(double range) const {
     for (std::size_t s = 0; s + 1 < paths_.size(); ++s) {
       const double soft = paths_[s].range(), stiff = paths_[s + 1].range();
       if (stiff <= range && range <= soft) {
@@ -246,18 +255,27 @@ private:
           path.strain[i] =
               range * ((1.0 - share) * paths_[s].strain[i] / soft + share * paths_[s + 1].strain[i] / stiff);
         }
-        return {wish_.stiffnesses[s] * std::pow(wish_.stiffnesses[s + 1] / wish_.stiffnesses[s], share),
-                path};
+        return std::pair{stiffnesses_[s] * std::pow(stiffnesses_[s + 1] / stiffnesses_[s], share), path};
       }
     }
-    throw Error(message("OE", test, " strains by ", range, " in its first loading, the simulated ones by ",
-                        paths_.back().range(), " to ", paths_.front().range(),
-                        ": extend --stiffnesses, or pour denser with a lower --packing_friction"));
+    return std::nullopt;
   }
 
   void compare(const sand::SandTest& test, CsvWriter& table, std::vector<ex::Panel>& panels) {
     const Path measured = path_of(test.loading, test.unloading, test.reloading, test.highest);
-    const auto [stiffness, model] = fitted(measured.range(), test.number);
+    const auto fit = fitted(measured.range());
+    Json& found = summary_["tests"][message("OE", test.number)];
+    if (!fit) {
+      const std::string why =
+          message("strains by ", measured.range(), " in its first loading, the simulated ones by ",
+                  paths_.back().range(), " to ", paths_.front().range(),
+                  ": not fitted; extend --stiffnesses, or pour denser with a lower --packing_friction");
+      fmt::print("OE{} {}\n", test.number, why);
+      found = {{"void_ratio", test.void_ratio}, {"not_fitted", why}};
+      save();
+      return;
+    }
+    const auto& [stiffness, model] = *fit;
     const Numbers m = numbers_of(measured), s = numbers_of(model);
     double misfit[3];
     for (std::size_t branch = 0; branch < 3; ++branch) {
@@ -276,7 +294,6 @@ private:
         "loading (simulated {:.2f}), unloading {:.2f} ({:.2f}); {:.0f} % of the strain stays ({:.0f} %)\n",
         test.number, stiffness, m.stiffness.exponent, s.stiffness.exponent, m.reload_ratio, s.reload_ratio,
         m.unload_ratio, s.unload_ratio, 100.0 * m.permanent, 100.0 * s.permanent);
-    Json& found = summary_["tests"][message("OE", test.number)];
     found = {
         {"void_ratio", test.void_ratio},
         {"stiffness_over_stress_and_diameter", stiffness},
@@ -314,6 +331,7 @@ private:
   ex::CrewFolders folders_;
   std::filesystem::path folder_;
   const ex::CrewOfProgram& crew_;
+  std::vector<double> stiffnesses_; // of those that could be simulated
   std::vector<Path> paths_;
   Json summary_;
 };
