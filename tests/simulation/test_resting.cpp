@@ -304,7 +304,7 @@ TEST_CASE("physics: a run with resting bodies that is taken up at any step ends 
   }
 }
 
-TEST_CASE("whatever changes a simulation from outside wakes all") {
+TEST_CASE("physics: whatever changes a simulation from outside wakes all") {
   const auto made = poured<Resting>();
   Simulation<Resting>& sim = *made;
   const auto rest = [&] {
