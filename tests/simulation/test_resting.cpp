@@ -134,6 +134,35 @@ TEST_CASE("physics: a bed that has come to rest is left alone, and the floor car
   CHECK(stayed >= resting.size() * 19 / 20);
 }
 
+TEST_CASE("physics: bodies that rest on fixed ones feel them, while they rest and after") {
+  const auto made = poured<Resting>();
+  Simulation<Resting>& sim = *made;
+  run_for(sim, 0.8);
+  sim.fix_bodies([](const auto& bodies, std::size_t b) { return bodies.position(b).z() < 0.05; });
+  sim.set_rest(rule);
+  run_for(sim, 0.2);
+  CHECK(sim.resting_count() > 20);
+  const auto check_forces = [&](bool resting, double share) {
+    const auto [seen, summed] = resultants(sim);
+    std::size_t looked_at = 0;
+    for (std::size_t b = 0; b < seen.size(); ++b) {
+      if (!sim.bodies().is_fixed(b) && at_rest(sim.bodies().activity(b)) == resting) {
+        CAPTURE(b);
+        CHECK((seen[b] - summed[b]).norm() <
+              share * sim.bodies().mass(b) * 9.81); // of now, and of the last step
+        ++looked_at;
+      }
+    }
+    CHECK(looked_at > 20);
+  };
+  check_forces(true, 0.05);
+  sim.set_gravity({0.5, 0.0, -9.81}); // wakes all
+  for (int k = 0; k < 20; ++k) {
+    sim.step();
+  }
+  check_forces(false, 0.3);
+}
+
 TEST_CASE("physics: where nothing may rest the bits are those of a model without rest") {
   const auto plain = poured<DefaultModel>();
   const auto never = poured<Resting>();

@@ -20,13 +20,14 @@ public:
   /// Says that the blocks or the pairs are others than before.
   void forget() { reach_.clear(); }
 
-  /// Looks at what rests now.
+  /// Looks at what rests now. Fixed bodies hold nothing by themselves: where no free one rests, no pair is
+  /// held.
   template <class Real, int history_size>
   void note(const Bodies<Real>& bodies, std::span<const Block> blocks,
             const PairList<Real, history_size>& pairs, Workers& workers) {
     any_ = false;
     for (std::size_t b = 0; b < bodies.size() && !any_; ++b) {
-      any_ = bodies.activity(b) > Activity::fresh;
+      any_ = bodies.activity(b) > Activity::fresh && !bodies.is_fixed(b);
     }
     if (!any_) {
       return;
@@ -46,7 +47,7 @@ public:
     });
   }
 
-  /// Whether something rests, or did so until now.
+  /// Whether a free body rests, or did so until now.
   [[nodiscard]] bool any() const { return any_; }
   [[nodiscard]] bool rests(std::size_t sphere) const { return any_ && at_rest(activities_[sphere]); }
   /// Whether both spheres of a pair rest, so that its force stays what it is.

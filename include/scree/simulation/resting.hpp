@@ -40,10 +40,10 @@ struct AllAwake {
 struct RestingRegions {
   static constexpr bool rests = true;
 
-  double speed = 0.0;        ///< m/s; 0: nothing rests; one hundredth of a tool's speed is a good one
-  double force = 0.05;       ///< of the sum of the normal forces on a body, in (0, 1)
-  std::size_t window = 500;  ///< steps over which motion is measured, a multiple of the interval
-  std::size_t interval = 10; ///< steps between two looks at the forces on resting bodies, above 0
+  double speed = 0.0;          ///< m/s; 0: nothing rests; one hundredth of a tool's speed is a good one
+  double force = 0.05;         ///< of the sum of the normal forces on a body, in (0, 1)
+  std::uint64_t window = 500;  ///< steps over which motion is measured, a multiple of the interval
+  std::uint64_t interval = 10; ///< steps between two looks at the forces on resting bodies, above 0
 
   /// \throws Error for a field out of its range.
   void check() const {
