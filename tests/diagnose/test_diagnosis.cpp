@@ -56,6 +56,8 @@ TEST_CASE("hidden-effects: each of the causes is found by name, its size within 
     CHECK(d.alarm.p < 0.02);
     REQUIRE(d.held_out);
     CHECK(d.held_out->p > 0.02);
+    CHECK(d.held_out->low < d.held_out->gain);
+    CHECK(d.held_out->gain < d.held_out->high);
   }
   CHECK(held >= 3); // of 4 at 90 %
 }

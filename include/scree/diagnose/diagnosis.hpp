@@ -417,6 +417,10 @@ private:
                         ? message("it leaves more there than chance does (p = ", out.held_out->p, ").")
                         : message("the base model predicts that better (gain ", out.held_out->gain, ", ",
                                   out.held_out->low, " to ", out.held_out->high, ").");
+    } else if (out.held_out->low <= 0.0) {
+      // It may be right all the same: a cause that does not touch what was held out gains nothing there.
+      out.reason += message(" What was held out neither shows nor refutes it (gain ", out.held_out->gain,
+                            ", ", out.held_out->low, " to ", out.held_out->high, ").");
     }
   }
 

@@ -85,7 +85,17 @@ inline HeldOutGain held_out_gain(const Noise& noise, const HeldOutPrediction& ba
   out.after = rms(out.residuals_after);
   out.gain = gain(out.residuals_before, out.residuals_after);
 
-  // Whatever both sides know only roughly is drawn again: the measured means, and the predictions.
+  // Whatever both sides know only roughly is drawn again: the measured means, and the predictions. What was
+  // measured is off by chance already, and would be so twice if it were drawn about itself: it is drawn about
+  // where it lies when as much of its distance from the better prediction is taken off as chance makes
+  // (James & Stein 1961).
+  const HeldOutPrediction& better = out.after < out.before ? extended : base;
+  const Eigen::VectorXd off = seen.mean - better.mean;
+  const double chance =
+      static_cast<double>(off.size()) + (better.covariance.diagonal().array() / seen.variance.array()).sum();
+  const double seen_squares = (off.array().square() / seen.variance.array()).sum();
+  const Eigen::VectorXd centre =
+      better.mean + off * std::sqrt(std::max(0.0, 1.0 - chance / std::max(1e-12, seen_squares)));
   const Eigen::MatrixXd root_base = Eigen::LLT<Eigen::MatrixXd>{base.covariance}.matrixL();
   const Eigen::MatrixXd root_extended = Eigen::LLT<Eigen::MatrixXd>{extended.covariance}.matrixL();
   const auto even = [&] {
@@ -97,7 +107,7 @@ inline HeldOutGain held_out_gain(const Noise& noise, const HeldOutPrediction& ba
   };
   std::vector<double> gains, left;
   for (std::size_t d = 0; d < draws; ++d) {
-    const Eigen::VectorXd measured = seen.mean + noise.normal(seen.variance, random);
+    const Eigen::VectorXd measured = centre + noise.normal(seen.variance, random);
     const Eigen::VectorXd of_base = base.mean + root_base * even();
     const Eigen::VectorXd of_extended = extended.mean + root_extended * even();
     gains.push_back(gain(((measured - of_base).array() / error).matrix(),
