@@ -20,6 +20,8 @@
 #include <cstdio>
 #include <filesystem>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace {
 
@@ -30,7 +32,7 @@ struct Wish {
   diagnose::Request request;
   std::string out, kept;
   bool resume = false, apply = false;
-  std::uint64_t workers = 0;
+  std::uint64_t workers = 0, foresee = 4;
 };
 
 void bind(ex::Options& options, Wish& w) {
@@ -61,6 +63,9 @@ void bind(ex::Options& options, Wish& w) {
   options.add("limit", w.request.limit, {1e-3, 1e6, "s"},
               "of simulated time, beyond which a run counts as failed");
   options.add("step_safety", w.request.step_safety, {0.01, 1.0}, "share of the critical time step");
+  options.add("foresee", w.foresee, {0.0, 1000.0},
+              "simulations by each rival of each experiment that is not measured yet, where several are "
+              "named; below 2: none");
   options.add("workers", w.workers, {0.0, 1024.0}, "runs side by side; 0: one for each processor");
 }
 
@@ -73,12 +78,24 @@ void work(const Wish& wish, const ex::Options& options, ex::CrewOfProgram& crew)
   diagnose::Diagnosing diagnosing{wish.request, campaign, crew.first()};
   const diagnose::Diagnosed diagnosed = diagnosing();
   const Diagnosis& diagnosis = diagnosed.diagnosis;
+  std::vector<diagnose::ForeseenExperiment> foreseen;
+  if (diagnosis.named.size() > 1 && wish.foresee > 1 && !diagnosing.plan().possible.empty()) {
+    std::vector<std::vector<double>> rivals;
+    for (const std::size_t r : diagnosis.named) {
+      rivals.push_back(diagnosis.ranking[r].values);
+    }
+    foreseen = diagnose::foresee(diagnosing.plan(), diagnosing.trials(), rivals, wish.foresee);
+    diagnosing.trials().close();
+  }
 
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
-  const diagnose::Case c{diagnosed, taken.count()};
+  const diagnose::Case c{diagnosed, taken.count(), std::move(foreseen)};
   ex::write_json(folders.own / "verdict.json", diagnose::verdict(c));
   write_atomically(folders.own / "diagnosis.html", diagnose::page(c));
   fmt::print("{}\n{}\n", diagnose::sentence(c), diagnosis.reason);
+  if (const std::string next = diagnose::next_experiment(c); !next.empty()) {
+    fmt::print("  to be measured next: {}\n", next);
+  }
   for (const std::string& line : diagnose::model_to_write(c)) {
     fmt::print("  {}\n", line);
   }

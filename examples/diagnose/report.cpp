@@ -99,6 +99,12 @@ std::vector<std::string> model_to_write(const Case& c) {
 
 std::string next_experiment(const Case& c) {
   const Diagnosis& d = c.diagnosed.diagnosis;
+  constexpr double telling = 2.0; // standard deviations of one measurement; ours
+  if (!c.foreseen.empty() && c.foreseen.front().apart >= telling) {
+    return fmt::format("{} ({}), in which no two of them are less than {:.1f} standard deviations of one "
+                       "measurement apart",
+                       c.foreseen.front().name, c.foreseen.front().kind, c.foreseen.front().apart);
+  }
   if (d.finding == Finding::insufficient_data) {
     // The cause that stays hidden most easily.
     const auto least = std::min_element(d.power.begin(), d.power.end());
@@ -193,6 +199,20 @@ Json verdict(const Case& c) {
     }
   }
   out["next_experiment"] = next_experiment(c);
+  for (const ForeseenExperiment& e : c.foreseen) {
+    Json one{{"experiment", e.name}, {"kind", e.kind}, {"apart", e.apart}};
+    for (const Foreseen& f : e.observables) {
+      Json& there = one["observables"][f.observable];
+      there = {{"apart", f.apart}, {"scatter", f.scatter}};
+      for (std::size_t r = 0; r < f.mean.size(); ++r) {
+        there["by"][names_of(c, d.ranking[d.named[r]].causes)] = f.mean[r];
+      }
+    }
+    if (!e.failure.empty()) {
+      one["failure"] = e.failure;
+    }
+    out["foreseen"].push_back(std::move(one));
+  }
   out["runs"] = {{"asked", c.diagnosed.log.asked()},
                  {"failed", c.diagnosed.log.failed()},
                  {"reasons", c.diagnosed.log.failures()}};
@@ -266,6 +286,29 @@ std::string confusion_table(const Case& c) {
   return out + "</table>\n";
 }
 
+/// What each rival says of what was not measured yet.
+std::string foreseen_table(const Case& c) {
+  const Diagnosis& d = c.diagnosed.diagnosis;
+  std::string out = "<table><tr><th>not measured yet<th>observable";
+  for (const std::size_t r : d.named) {
+    out += "<th>with " + xml_escaped(names_of(c, d.ranking[r].causes));
+  }
+  out += "<th>scatter of one measurement<th>the two that are closest, over that</tr>\n";
+  for (const ForeseenExperiment& e : c.foreseen) {
+    if (!e.failure.empty()) {
+      out += fmt::format("<tr><td>{}<td>{}</tr>\n", xml_escaped(e.name), xml_escaped(e.failure));
+    }
+    for (const Foreseen& f : e.observables) {
+      out += fmt::format("<tr><td>{}<td>{}", xml_escaped(e.name), xml_escaped(f.observable));
+      for (const double mean : f.mean) {
+        out += fmt::format("<td class=n>{:.4g}", mean);
+      }
+      out += fmt::format("<td class=n>{:.2g}<td class=n>{:.1f}</tr>\n", f.scatter, f.apart);
+    }
+  }
+  return out + "</table>\n";
+}
+
 std::string held_out_table(const Case& c) {
   if (!c.diagnosed.diagnosis.held_out) {
     return "<p>No experiment was held out, or there is no cause to be tried on it.</p>\n";
@@ -305,7 +348,12 @@ std::string page(const Case& c) {
     out += "<p>To be written: <code>" + xml_escaped(line) + "</code></p>\n";
   }
   if (const std::string next = next_experiment(c); !next.empty()) {
-    out += "<p>To be measured next: " + xml_escaped(next) + "</p>\n";
+    out += "<p>To be measured next: " + xml_escaped(next) + ".</p>\n";
+  }
+  if (!c.foreseen.empty()) {
+    out += "<h2>What is said of experiments that were not done yet</h2>\n<p>Simulated with each of what is "
+           "named, at its best point; the experiment that tells all of them apart best comes first.</p>\n" +
+           foreseen_table(c);
   }
   out +=
       fmt::format("<h2>Measured and simulated</h2>\n<p>By chance alone, so great a misfit of the base model "

@@ -3,6 +3,7 @@
 /// What a diagnosis says, for people and for programs.
 
 #include "diagnose/diagnosing.hpp"
+#include "diagnose/foresight.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -15,6 +16,8 @@ namespace diagnose {
 struct Case {
   const Diagnosed& diagnosed;
   double seconds; ///< that it took
+  /// What rivals say of experiments that were not done yet, where several were named.
+  std::vector<ForeseenExperiment> foreseen{};
 };
 
 /// The verdict in one sentence.

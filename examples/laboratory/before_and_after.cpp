@@ -44,7 +44,7 @@ std::string draw_before_and_after(const Plan& plan, Trials& trials, const std::v
     for (std::size_t s = 0; s < 2; ++s) {
       std::vector<Trials::Replicate> wanted;
       for (std::size_t n = 0; n < shown; ++n) {
-        wanted.push_back({e, sides[s].parameters, first_shown + n});
+        wanted.push_back({planned, sides[s].parameters, first_shown + n});
       }
       for (const RunOutcome& run : trials.replicates(wanted)) {
         for (std::size_t k = 0; run.failure.empty() && k < planned.measured.size(); ++k) {

@@ -52,6 +52,11 @@ std::string heap(const std::string& name, const std::string& solid, const std::s
          (name == "angle_of_repose" ? "" : "kind = \"angle_of_repose\"\n") + "funnel.solid = " + solid +
          "\nfunnel.outlet = 0.15\nfunnel.rim = 0.28\n" + more + "data = \"" + name + ".csv\"\n";
 }
+std::string lifted(const std::string& radius, const std::string& height) {
+  return "\n[experiments.lifted_cylinder]\nkind = \"angle_of_repose\"\nheap.method = \"lifted_cylinder\"\n"
+         "tube.radius = " +
+         radius + "\ntube.height = " + height + "\ndata = \"lifted_cylinder.csv\"\n";
+}
 /// Single rocks dropped and a plate of them tilted, and a batch weighed in water.
 std::string single_rocks(const std::string& batch, const std::string& tilt_rate) {
   return R"(
@@ -78,6 +83,12 @@ tilt.rate = )" +
 data = "tilt_test.csv"
 use = ["angle_deg", "failure_angle_deg"]
 )";
+}
+
+/// The same as one that was not done yet.
+std::string not_yet(std::string experiment) {
+  const std::size_t data = experiment.find("data = ");
+  return experiment.replace(data, experiment.find('\n', data) - data, "measured = false");
 }
 
 constexpr const char* held_out = "held_out = true\n";
@@ -116,7 +127,10 @@ std::string desk() {
          tamped("tamped", "0.1", "0.1", "0.3") + oedometer("oedometer", "0.1", "0.08", "load.cycles = 2\n") +
          heap("angle_of_repose", "0.002") + heap("rising_funnel", "0.002", rising) +
          oedometer("stronger", "0.1", "0.08",
-                   std::string{"load.high_stress = 8e4\nload.cycles = 1\n"} + first_loading);
+                   std::string{"load.high_stress = 8e4\nload.cycles = 1\n"} + first_loading) +
+         not_yet(tamped("barely_tamped", "0.1", "0.1", "0.6")) +
+         not_yet(oedometer("more_cycles", "0.1", "0.08", "load.cycles = 4\n")) +
+         not_yet(lifted("0.08", "0.18"));
 }
 
 std::string mini() {
@@ -124,7 +138,8 @@ std::string mini() {
          container("bulk_density", "0.08", "0.08") + tamped("tamped", "0.08", "0.08", "0.3") +
          oedometer("oedometer", "0.08", "0.08", light) + heap("angle_of_repose", "0.001") +
          heap("rising_funnel", "0.001", rising) +
-         oedometer("stronger", "0.08", "0.08", std::string{heavy} + first_loading);
+         oedometer("stronger", "0.08", "0.08", std::string{heavy} + first_loading) +
+         not_yet(tamped("barely_tamped", "0.08", "0.08", "0.6")) + not_yet(lifted("0.06", "0.15"));
 }
 
 /// Single rocks once more, held out.
@@ -150,14 +165,18 @@ std::string micro() {
   return base("5e3", "3e4") + rock + single_rocks("1000", "12.0") + container("bulk_density", "0.1", "0.1") +
          tamped("tamped", "0.1", "0.1", "0.3") +
          oedometer("oedometer", "0.1", "0.08", std::string{"fill.surplus = 0.5\n"} + light) + again +
-         tamped("lightly_tamped", "0.1", "0.1", "0.6", held_out);
+         tamped("lightly_tamped", "0.1", "0.1", "0.6", held_out) +
+         not_yet(container("taller", "0.1", "0.2")) +
+         not_yet(oedometer("stronger", "0.1", "0.08", std::string{"fill.surplus = 0.5\n"} + heavy)) +
+         not_yet(heap("angle_of_repose", "0.001"));
 }
 
 /// A third of a metre through a few layers of coarse grains, by a slack rope, whose stretch tells the force
 /// once more. The bucket is still empty on most of the way.
-std::string short_drag(const std::string& name, const std::string& speed, const std::string& more = "") {
+std::string short_drag(const std::string& name, const std::string& speed, const std::string& more = "",
+                       const std::string& depth = "0.18") {
   return "\n[experiments." + name + "]\n" + (name == "drag" ? "" : "kind = \"drag\"\n") +
-         "bed.length = 0.8\nbed.width = 0.36\nbed.depth = 0.18\nrig.drag_distance = 0.3\n" +
+         "bed.length = 0.8\nbed.width = 0.36\nbed.depth = " + depth + "\nrig.drag_distance = 0.3\n" +
          "rig.rope_stiffness = 5e3\nrecord.pieces = 3\nrig.drag_speed = " + speed + "\n" + more +
          "data = \"" + name + ".csv\"\n" + R"(use = ["force_N_1", "force_N_2", "force_N_3",
   "pitch_deg_1", "pitch_deg_2", "pitch_deg_3", "depth_m_1", "depth_m_2", "depth_m_3",
@@ -172,7 +191,8 @@ std::string drag() {
   return base("5e3", "3e4") + rock + single_rocks("1000", "12.0") +
          container("bulk_density", "0.13", "0.13") + tamped("tamped", "0.13", "0.13", "0.3") +
          oedometer("oedometer", "0.13", "0.105", std::string{"fill.surplus = 0.5\n"} + light) +
-         short_drag("drag", "0.9") + short_drag("drag_slower", "0.5", held_out);
+         short_drag("drag", "0.9") + short_drag("drag_slower", "0.5", held_out) +
+         not_yet(short_drag("drag_deeper", "0.9", "", "0.24"));
 }
 
 std::vector<Reading> readings(const std::string& plan, std::size_t replicates) {

@@ -16,7 +16,8 @@ void write_measurements(const std::filesystem::path& folder, const Plan& plan, T
   std::vector<Trials::Replicate> wanted;
   for (const Reading& reading : readings) {
     for (std::size_t k = 0; k < reading.replicates; ++k) {
-      wanted.push_back({plan.index_of(reading.experiment), parameters, seeds.index(std::size_t{1} << 53U)});
+      wanted.push_back({plan.experiments[plan.index_of(reading.experiment)], parameters,
+                        seeds.index(std::size_t{1} << 53U)});
     }
   }
   const std::vector<RunOutcome> runs = trials.replicates(wanted);

@@ -35,7 +35,8 @@ struct Plan {
   std::vector<Parameter> space{};
   std::vector<double> start{}; ///< of each parameter
   std::vector<PlannedExperiment> experiments{};
-  std::vector<FitStep> steps{}; ///< of the fit one by one
+  std::vector<PlannedExperiment> possible{}; ///< not done yet: without anything measured
+  std::vector<FitStep> steps{};              ///< of the fit one by one
   std::vector<std::string> remarks{};
 
   /// Of all experiments, in their order.

@@ -104,7 +104,7 @@ std::vector<RunOutcome> Trials::operator()(const std::vector<RunRequest>& reques
 std::vector<RunOutcome> Trials::replicates(const std::vector<Replicate>& wanted) {
   std::vector<Job> jobs;
   for (const Replicate& r : wanted) {
-    jobs.push_back(job(plan_.experiments[r.experiment], r.parameters, r.seed));
+    jobs.push_back(job(r.experiment, r.parameters, r.seed));
   }
   std::vector<RunOutcome> out;
   for (JobOutcome& outcome : run(jobs)) {

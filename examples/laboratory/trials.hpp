@@ -29,7 +29,7 @@ public:
 
   /// One experiment at some parameters.
   struct Replicate {
-    std::size_t experiment;
+    const PlannedExperiment& experiment;
     const std::vector<double>& parameters;
     std::uint64_t seed;
   };

@@ -137,8 +137,8 @@ private:
   /// An observable at some parameters, in all replicates that came to an end.
   std::vector<double> observed(const ex::Plan& plan, ex::Trials& trials, const std::string& kind,
                                const std::string& observable, double stiffness, double friction) const {
-    const std::size_t e = plan.index_of(kind);
-    const auto observables = plan.experiments[e].experiment->observables();
+    const ex::PlannedExperiment& experiment = plan.experiments[plan.index_of(kind)];
+    const auto observables = experiment.experiment->observables();
     std::size_t at = 0;
     while (observables[at].name != observable) {
       ++at;
@@ -146,7 +146,7 @@ private:
     const std::vector<double> parameters{stiffness, friction};
     std::vector<ex::Trials::Replicate> wanted;
     for (std::uint64_t k = 0; k < wish_.replicates; ++k) {
-      wanted.push_back({e, parameters, wish_.seed + k});
+      wanted.push_back({experiment, parameters, wish_.seed + k});
     }
     std::vector<double> values;
     for (const RunOutcome& run : trials.replicates(wanted)) {

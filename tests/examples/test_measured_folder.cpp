@@ -77,6 +77,26 @@ TEST_CASE("a folder of measurements is read: parameters, rock, experiments, repl
   CHECK(plan.steps[0].observable == 0);
 }
 
+TEST_CASE("an experiment that is not measured yet is none of those to be fitted, and has no data") {
+  const test::ScratchFolder scratch;
+  const std::string later = "[experiments.later]\nkind = \"drop_test\"\nmeasured = false\n";
+  write_atomically(scratch.path() / "calibration.toml",
+                   top + "data = \"heap.csv\"\nmeasured = true\n" + later);
+  write_atomically(scratch.path() / "heap.csv", std::string{"angle_deg\n30\n31\n"});
+  const auto plan = read_plan(scratch.path());
+  CHECK(plan.experiments.size() == 1);
+  CHECK(plan.measured().size() == 1);
+  REQUIRE(plan.possible.size() == 1);
+  CHECK(plan.possible[0].name == "later");
+  CHECK(plan.possible[0].measured.empty());
+  const std::string complete = top + "data = \"heap.csv\"\n" + later;
+  says(complaint(complete + "data = \"later.csv\"\n"),
+       "experiments.later is not measured yet: it has no data");
+  says(complaint(complete + "held_out = true\n"),
+       "experiments.later is not measured yet: it has no held_out");
+  says(complaint(top + "data = \"heap.csv\"\nmeasured = 0\n"), "measured must be true or false");
+}
+
 TEST_CASE("the smallest calibration of the tests can be read") {
   const auto plan = read_plan(test::source_directory() / "tests/examples/measured/immersion");
   CHECK(plan.experiments.at(0).measured.at(0).replicates.size() == 4);
