@@ -12,7 +12,7 @@ void read_as_checkpoint(std::string_view bytes) {
   attempt(file.string(), [&] { (void)read_one_checkpoint(file, "a simulation"); });
   attempt("the bytes", [&] {
     Simulation<> simulation;
-    const auto rock = simulation.add_material({});
+    const auto rock = simulation.add_material({.normal_stiffness = 1e4, .shear_stiffness = 1e4});
     simulation.add_wall({.name = "floor", .surfaces = {{Plane{}, rock}}, .dynamics = Fixed{}});
     ArchiveReader reader{bytes, "the bytes"};
     reader(simulation);

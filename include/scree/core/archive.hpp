@@ -203,7 +203,7 @@ public:
     T found{};
     get(found);
     if (!(found == value)) {
-      fail(message(what, " is ", found, " there and ", value, " here"));
+      fail(message(what, " is ", printable(message(found)), " there and ", value, " here"));
     }
   }
   /// \throws Error unless all was read.

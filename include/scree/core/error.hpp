@@ -33,6 +33,16 @@ std::string message(const Parts&... parts) {
   return out.str();
 }
 
+/// Text from elsewhere as a message can show it: in one line, no longer than `most`.
+inline std::string printable(std::string_view text, std::size_t most = 1000) {
+  std::string out{text.substr(0, most)};
+  for (char& c : out) {
+    const auto code = static_cast<unsigned char>(c);
+    c = code < ' ' || code == 127 ? '?' : c;
+  }
+  return out + (text.size() > most ? "..." : "");
+}
+
 /// An error in a file, with the line or record where it was found ("bed.stl:12: ...").
 [[nodiscard]] inline Error file_error(const std::filesystem::path& file, std::size_t line,
                                       std::string_view what) {

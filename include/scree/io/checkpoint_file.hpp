@@ -109,8 +109,8 @@ inline std::string read_one_checkpoint(const std::filesystem::path& file, std::s
     refuse("is no checkpoint");
   }
   if (found != head) {
-    refuse(message("is a '", found.substr(0, found.size() - 1), "', not a '", head.substr(0, head.size() - 1),
-                   "'"));
+    refuse(message("is a '", printable(found.substr(0, found.size() - 1), 200), "', not a '",
+                   head.substr(0, head.size() - 1), "'"));
   }
   std::string_view rest = std::string_view{text}.substr(head.size());
   if (detail::taken<std::uint32_t>(file, rest) != detail::byte_order) {

@@ -172,13 +172,9 @@ struct CsvLimits {
 
 namespace detail {
 
-/// A field as it is shown in a message: in quotes, one line, not too long.
+/// A field as it is shown in a message.
 inline std::string quoted(std::string_view field) {
-  constexpr std::size_t most = 40;
-  std::string shown{field.substr(0, most)};
-  std::replace_if(
-      shown.begin(), shown.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; }, '?');
-  return '"' + shown + (field.size() > most ? "...\"" : "\"");
+  return '"' + printable(field, 40) + '"';
 }
 
 inline std::string_view trimmed(std::string_view text) {

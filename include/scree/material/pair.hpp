@@ -120,13 +120,7 @@ public:
 
   /// \throws Error for a parameter out of range or an unknown material.
   void set_pair(MaterialId a, MaterialId b, const PairOverride& given) {
-    const auto name = [&](const char* parameter) {
-      return message("pair '", at(a).name, "'-'", at(b).name, "': ", parameter);
-    };
-    constexpr double most = std::numeric_limits<double>::max();
-    require(name("friction"), given.friction.value_or(0.0), {0.0, most});
-    require(name("rolling_friction"), given.rolling_friction.value_or(0.0), {0.0, most});
-    require(name("restitution"), given.restitution.value_or(1.0), {1e-6, 1.0});
+    check_pair(a, b, given);
     overrides_[std::minmax(a, b)] = given;
   }
 
@@ -146,10 +140,36 @@ public:
 
   template <class Self, class Archive>
   static void fields(Self& self, Archive& archive) {
+    [[maybe_unused]] const std::size_t count = self.materials_.size();
     archive(self.materials_, self.overrides_);
+    if constexpr (Archive::reading) {
+      try {
+        if (self.materials_.size() != count) {
+          throw Error(message(self.materials_.size(), " materials where ", count, " are"));
+        }
+        for (const Material& material : self.materials_) {
+          validate(material);
+        }
+        for (const auto& [pair, given] : self.overrides_) {
+          self.check_pair(pair.first, pair.second, given);
+        }
+      } catch (const Error& error) {
+        archive.fail(printable(error.what()));
+      }
+    }
   }
 
 private:
+  void check_pair(MaterialId a, MaterialId b, const PairOverride& given) const {
+    const auto name = [&](const char* parameter) {
+      return message("pair '", at(a).name, "'-'", at(b).name, "': ", parameter);
+    };
+    constexpr double most = std::numeric_limits<double>::max();
+    require(name("friction"), given.friction.value_or(0.0), {0.0, most});
+    require(name("rolling_friction"), given.rolling_friction.value_or(0.0), {0.0, most});
+    require(name("restitution"), given.restitution.value_or(1.0), {1e-6, 1.0});
+  }
+
   Stiffness convention_;
   std::vector<Material> materials_;
   std::map<std::pair<MaterialId, MaterialId>, PairOverride> overrides_;
