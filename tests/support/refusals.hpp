@@ -13,7 +13,7 @@
 
 namespace scree::test {
 
-inline constexpr double nan = std::numeric_limits<double>::quiet_NaN(), inf = HUGE_VAL;
+inline constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN(), infinite = HUGE_VAL;
 
 template <class Setup>
 std::string complaint(const Setup& setup) {
