@@ -142,7 +142,7 @@ private:
   /// What is needed to look for the cause of an error, as far as it can be written.
   void show_trouble(const Rig& rig) {
     try {
-      drag::write_grains(folder_ / "trouble.vtp", rig.simulation().bodies());
+      ex::write_grains(folder_ / "trouble.vtp", rig.simulation().bodies());
       checkpoints_.keep_aside(State<const Run, const Rig>{*this, rig}, folder_ / "trouble.checkpoint");
       complain(fmt::format("the grains at that moment are in {}, the whole state in {}",
                            (folder_ / "trouble.vtp").string(), (folder_ / "trouble.checkpoint").string()));

@@ -9,6 +9,7 @@
 #include "scree/io/render.hpp"
 #include "scree/io/vtk.hpp"
 #include "scree/laboratory/drag_rig.hpp"
+#include "support/grains_vtk.hpp"
 #include "support/plot.hpp"
 #include "support/png.hpp"
 
@@ -66,25 +67,6 @@ std::vector<scree::Vector> bucket_in_space(const Rig& rig) {
   return vertices;
 }
 
-/// All member spheres, for ParaView.
-template <class Bodies>
-void write_grains(const std::filesystem::path& file, const Bodies& bodies) {
-  std::vector<scree::Vector> points, velocity;
-  std::vector<double> radius;
-  std::vector<std::uint32_t> body;
-  for (std::size_t s = 0; s < bodies.sphere_count(); ++s) {
-    const auto& sphere = bodies.spheres()[s];
-    points.push_back(scree::to_eigen(sphere.position));
-    velocity.push_back(scree::to_eigen(sphere.velocity));
-    radius.push_back(sphere.radius);
-    body.push_back(static_cast<std::uint32_t>(bodies.id(bodies.body_of(s))));
-  }
-  const std::vector<scree::VtkArray> arrays{{"radius", std::span<const double>{radius}},
-                                            {"velocity", std::span<const scree::Vector>{velocity}},
-                                            {"body", std::span<const std::uint32_t>{body}}};
-  scree::write_vtp_points(file, points, arrays);
-}
-
 /// vtk/: a ParaView series of grains and bucket.
 class Frames {
 public:
@@ -95,7 +77,7 @@ public:
   void add(const Rig& rig) {
     const auto grains = folder_ / fmt::format("grains_{:04}.vtp", count_);
     const auto bucket = folder_ / fmt::format("bucket_{:04}.vtp", count_);
-    write_grains(grains, rig.simulation().bodies());
+    scree::examples::write_grains(grains, rig.simulation().bodies());
     scree::write_vtp_surface(bucket, bucket_in_space(rig), rig.bucket().surface.facets);
     series_.add(rig.simulation().time(), grains, 0);
     series_.add(rig.simulation().time(), bucket, 1);

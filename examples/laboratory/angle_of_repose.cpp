@@ -95,8 +95,7 @@ public:
   }
   void show(Workbench& bench) const override {
     HeapTest<> test{prepared(detail::conditions_of(bench)), {.step_safety = bench.step_safety()}};
-    const HeapResult& r =
-        test.run([&](const auto& simulation, const Stage& stage) { bench.watch(simulation, stage); });
+    const HeapResult& r = bench.run(test);
     write_profiles(bench.folder(), r);
     const HeapAngle& flank = r.flank;
     auto& summary = bench.summary();

@@ -54,8 +54,7 @@ public:
   void show(Workbench& bench) const override {
     BulkDensityTest<> test{detail::prepared(setup_, detail::conditions_of(bench)),
                            {.step_safety = bench.step_safety()}};
-    const BulkDensityResult& r =
-        test.run([&](const auto& simulation, const Stage& stage) { bench.watch(simulation, stage); });
+    const BulkDensityResult& r = bench.run(test);
     write_profile(bench.folder(), r);
     auto& summary = bench.summary();
     summary["bulk_density_kg_m3"] = r.bulk_density;

@@ -128,8 +128,7 @@ public:
   void show(Workbench& bench) const override {
     DropTest<> test{detail::prepared(setup_, detail::conditions_of(bench)),
                     {.step_safety = bench.step_safety()}};
-    const DropTestResult& r =
-        test.run([&](const auto& simulation, const Stage& stage) { bench.watch(simulation, stage); });
+    const DropTestResult& r = bench.run(test);
     write_tables(bench.folder(), r);
     summarise(bench.summary(), r);
     bench.plot("drop_test", bench.title("Drop test"),

@@ -179,8 +179,7 @@ public:
   void show(Workbench& bench) const override {
     Oedometer<> oedometer{detail::prepared(setup_, detail::conditions_of(bench)),
                           {.step_safety = bench.step_safety()}};
-    const OedometerResult& r =
-        oedometer.run([&](const auto& simulation, const Stage& stage) { bench.watch(simulation, stage); });
+    const OedometerResult& r = bench.run(oedometer);
     write_curve(bench.folder(), r, setup_.container.area());
     auto& summary = bench.summary();
     summary["slope_N_m"] = r.slope;

@@ -144,8 +144,7 @@ public:
   }
   void show(Workbench& bench) const override {
     TiltTest<> test{prepared(detail::conditions_of(bench)), {.step_safety = bench.step_safety()}};
-    const TiltTestResult& r =
-        test.run([&](const auto& simulation, const Stage& stage) { bench.watch(simulation, stage); });
+    const TiltTestResult& r = bench.run(test);
     write_tables(bench.folder(), r, single());
     summarise(bench.summary(), r, single());
     bench.plot("tilt_test", bench.title("Tilt test"),

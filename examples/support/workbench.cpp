@@ -1,8 +1,11 @@
 #include "support/workbench.hpp"
 
+#include "scree/core/archive.hpp"
 #include "scree/io/annotate.hpp"
+#include "scree/io/checkpoint_file.hpp"
 #include "scree/measure/state_hash.hpp"
 #include "scree/simulation/step_times.hpp"
+#include "support/grains_vtk.hpp"
 #include "support/png.hpp"
 #include "support/results.hpp"
 
@@ -29,12 +32,17 @@ Workbench::Workbench(std::string name, std::string brief, int argc, const char* 
   options_.add("threads", threads_, {0.0, 1024.0},
                "0: one for each processor; the results are the same for any");
   options_.add("step_safety", step_safety_, {0.01, 1.0}, "share of the critical time step");
+  options_.group("Watch: what ends a run that has gone wrong");
+  options_.add("watch.overlap", bounds_.overlap, {1e-6, 10.0},
+               "of a contact, over the radius of the smallest sphere in it, at most");
+  options_.add("watch.speed", bounds_.speed, {1e-6, 1e9, "m/s"}, "of a grain, at most");
   rig_ = rock_.rig();
   bind(options_, rock_, rig_);
 }
 
 void Workbench::begin() {
   options_.parse(argc_, argv_);
+  watchdog_.emplace(bounds_);
   folder_ = results_folder(out_, name_ + "-" + fidelity_);
   options_.write_toml(folder_ / "input.toml");
   summary_["program"] = name_;
@@ -50,8 +58,24 @@ std::string Workbench::title(const std::string& of) const {
 }
 
 void Workbench::watch(const Simulation<>& simulation, const Stage& stage) {
+  (*watchdog_)(simulation);
   grain_steps_ += static_cast<double>(simulation.bodies().size());
   progress_(stage.share, fmt::format("{}: {} grains", stage.name, simulation.bodies().size()));
+}
+
+void Workbench::show_trouble(const Simulation<>& simulation) {
+  progress_.close();
+  try {
+    const auto grains = folder_ / "trouble.vtp", state = folder_ / "trouble.checkpoint";
+    write_grains(grains, simulation.bodies());
+    ArchiveWriter writer;
+    writer(simulation);
+    write_checkpoint(state, name_, writer.bytes());
+    fmt::print(stderr, "the grains at that moment are in {}, the whole state in {}\n", grains.string(),
+               state.string());
+  } catch (const Error& error) {
+    fmt::print(stderr, "{}\n", error.what());
+  }
 }
 
 void Workbench::plot(const std::string& name, const std::string& title, const std::vector<Panel>& panels) {

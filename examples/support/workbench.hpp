@@ -5,6 +5,7 @@
 #include "scree/io/render.hpp"
 #include "scree/laboratory/rock_sample.hpp"
 #include "scree/laboratory/stage.hpp"
+#include "scree/measure/watchdog.hpp"
 #include "support/default_simulation.hpp"
 #include "support/options.hpp"
 #include "support/plot.hpp"
@@ -16,6 +17,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,8 +44,18 @@ public:
   [[nodiscard]] nlohmann::ordered_json& summary() { return summary_; }
   [[nodiscard]] std::string title(const std::string& of) const;
 
-  /// To be called after every step; shows the progress and counts.
-  void watch(const Simulation<>& simulation, const Stage& stage);
+  /// Runs an experiment: shows the progress, and ends it when it goes wrong, with trouble.vtp and
+  /// trouble.checkpoint of that moment. Returns its result.
+  /// \throws Error as the experiment does.
+  template <class Test>
+  decltype(auto) run(Test& test) {
+    try {
+      return test.run([this](const auto& simulation, const Stage& stage) { watch(simulation, stage); });
+    } catch (const Trouble&) {
+      show_trouble(test.simulation());
+      throw;
+    }
+  }
 
   /// Draws NAME.svg and NAME.png from the tables; says what went wrong, if anything did.
   void plot(const std::string& name, const std::string& title, const std::vector<Panel>& panels);
@@ -60,6 +72,8 @@ public:
   void fail(const std::string& reason);
 
 private:
+  void watch(const Simulation<>& simulation, const Stage& stage);
+  void show_trouble(const Simulation<>& simulation);
   void save() const;
 
   std::string name_;
@@ -75,6 +89,8 @@ private:
   nlohmann::ordered_json summary_;
   Progress progress_;
   double grain_steps_ = 0.0;
+  SaneBounds bounds_{.overlap = 1.0}; // an oedometer of soft rock comes to half of that
+  std::optional<Watchdog> watchdog_{};
 };
 
 /// The main() of a program: `work(Workbench&)` adds options, begins, runs and finishes. Returns 0, or 2 after
