@@ -14,7 +14,7 @@ corpus=$root/tests/fuzz/corpora/$reader
 install_missing clang++:clang
 configure fuzz || exit 1
 build fuzz "fuzz_$reader" || exit 1
-program=$root/build/fuzz/tests/fuzz/fuzz_$reader
+program=$root/build/fuzz/tests/fuzz_readers/fuzz_$reader
 work=$root/build/fuzz/corpora/$reader
 mkdir -p "$work" || exit 1
 # Inputs go through files: in memory where that can be had.
