@@ -85,10 +85,9 @@ use = ["angle_deg", "failure_angle_deg"]
 )";
 }
 
-/// The same as one that was not done yet.
-std::string not_yet(std::string experiment) {
-  const std::size_t data = experiment.find("data = ");
-  return experiment.replace(data, experiment.find('\n', data) - data, "measured = false");
+/// The same as one that was not done yet: without what is said of its data, which comes last.
+std::string not_yet(const std::string& experiment) {
+  return experiment.substr(0, experiment.find("data = ")) + "measured = false\n";
 }
 
 constexpr const char* held_out = "held_out = true\n";
