@@ -1,7 +1,6 @@
 #!/bin/sh
 # sh tests/fuzz/run.sh READER [SECONDS]: looks for bytes that break the reader of stl, csv, calibration or checkpoint
-# (3600 s by default, on one core), then keeps in tests/fuzz/corpora/READER what takes it somewhere new and nothing
-# else. What broke it is left in the folder from which this is called, as crash-*: mend, and put it into the corpus.
+# (3600 s by default, on one core), then adds to tests/fuzz/corpora/READER what takes it somewhere new. What broke it is left in the folder from which this is called, as crash-*: mend, and put it into the corpus.
 set -u
 root=$(CDPATH='' cd -- "$(dirname -- "$0")/../.." && pwd) || exit 1
 . "$root/cmake/setup.sh"
@@ -21,11 +20,8 @@ mkdir -p "$work" || exit 1
 [ ! -d /dev/shm ] || export TMPDIR=/dev/shm
 "$program" -max_total_time="$seconds" -max_len=4096 -timeout=10 -rss_limit_mb=2048 -print_final_stats=1 \
   "$work" "$corpus" || exit 1
-least=$root/build/fuzz/corpora/$reader.least
-rm -rf "$least" && mkdir -p "$least" || exit 1
-"$program" -merge=1 -max_len=4096 "$least" "$corpus" "$work" >"$work.log" 2>&1 || {
+"$program" -merge=1 -max_len=4096 "$corpus" "$work" >"$work.log" 2>&1 || {
   cat "$work.log" >&2
   exit 1
 }
-rm -rf "$corpus" && cp -r "$least" "$corpus" || exit 1
 say "$(find "$corpus" -type f | wc -l) inputs in $corpus"
