@@ -1,6 +1,7 @@
 #!/bin/sh
 # sh tests/fuzz/run.sh READER [SECONDS]: looks for bytes that break the reader of stl, csv, calibration or checkpoint
-# (3600 s by default, on one core), then adds to tests/fuzz/corpora/READER what takes it somewhere new. What broke it is left in the folder from which this is called, as crash-*: mend, and put it into the corpus.
+# (3600 s by default, on one core), then adds to tests/fuzz/corpora/READER what takes it somewhere new. What broke it
+# is left in the folder from which this is called, as crash-*: mend, and put it into the corpus.
 set -u
 root=$(CDPATH='' cd -- "$(dirname -- "$0")/../.." && pwd) || exit 1
 . "$root/cmake/setup.sh"
