@@ -19,7 +19,7 @@ struct OedometerSetup {
   double low_stress = 1e4;            ///< Pa, on the lid where a branch of unloading ends, above 0
   double high_stress = 1e5;           ///< Pa, where one of loading ends, above low_stress
   std::uint64_t cycles = 4;           ///< loadings, each but the last followed by an unloading too, 1 or more
-  double strain_rate = 0.06;          ///< 1/s, of the lid's speed over the container's height, above 0
+  double strain_rate = 0.01;          ///< 1/s, of the lid's speed over the container's height, above 0
   double most_inertial_number = 1e-3; ///< of the loading, below which it counts as quasi-static; above 0
   double approach = 5.0;              ///< times as fast does the lid come down to the grains, 1 or above
   double slope_from = 0.3;            ///< share of the way from low to high load at which the slope begins
