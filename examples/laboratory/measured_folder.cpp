@@ -207,16 +207,15 @@ void read_experiment(const Source& source, const std::string& name, const toml::
   detail::read_toml(options.entries(), table, "", source.file, own);
   e.setup = options.json().dump();
 
-  if (const toml::node* measured = table.get("measured"); measured != nullptr) {
-    if (!source.truth(*measured, "measured")) {
-      for (const char* of_data : {"data", "curves", "curve", "use", "standard_error", "held_out"}) {
-        if (const toml::node* there = table.get(of_data)) {
-          source.refuse(*there, message("experiments.", name, " is not measured yet: it has no ", of_data));
-        }
+  if (const toml::node* measured = table.get("measured");
+      measured != nullptr && !source.truth(*measured, "measured")) {
+    for (const char* of_data : {"data", "curves", "curve", "use", "standard_error", "held_out"}) {
+      if (const toml::node* there = table.get(of_data)) {
+        source.refuse(*there, message("experiments.", name, " is not measured yet: it has no ", of_data));
       }
-      plan.possible.push_back(std::move(e));
-      return;
     }
+    plan.possible.push_back(std::move(e));
+    return;
   }
   if (const toml::node* held_out = table.get("held_out")) {
     e.held_out = source.truth(*held_out, "held_out");

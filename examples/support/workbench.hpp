@@ -89,7 +89,7 @@ private:
   nlohmann::ordered_json summary_;
   Progress progress_;
   double grain_steps_ = 0.0;
-  SaneBounds bounds_{.overlap = 1.0}; // an oedometer of soft rock comes to half of that
+  SaneBounds bounds_{.overlap = 1.0}; // the oedometer of desk rock comes to between 0.3 and 0.4
   std::optional<Watchdog> watchdog_{};
 };
 

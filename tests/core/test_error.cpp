@@ -19,6 +19,14 @@ TEST_CASE("a message joins words and numbers, with as many digits as tell two in
   CHECK(message(1.0 / 3.0) == "0.3333333333");
 }
 
+TEST_CASE("text of which nothing is known is shown in one line, and not without end") {
+  CHECK(printable("a drag of 3 m") == "a drag of 3 m");
+  CHECK(printable("a\nb\t\x7f\xff") == "a?b???");
+  CHECK(printable("abcdef", 3) == "abc...");
+  CHECK(printable("abc", 3) == "abc");
+  CHECK(printable("").empty());
+}
+
 TEST_CASE("an error in a file says where") {
   const Error error = file_error("beds/desk.stl", 12, "vertex is not a number");
   CHECK(std::string{error.what()} == "beds/desk.stl:12: vertex is not a number");

@@ -11,7 +11,7 @@ fail() {
   cat "$folder.log" >&2
   exit 1
 }
-rm -rf "$folder"
+rm -rf "$folder" && mkdir -p "${folder%/*}" || exit 1
 "$program" "$@" --watch.speed 0.01 --out "$folder" >"$folder.log" 2>&1
 status=$?
 [ "$status" -eq 2 ] || fail "exit status $status"

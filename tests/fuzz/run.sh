@@ -11,7 +11,8 @@ seconds=${2-3600}
 corpus=$root/tests/fuzz/corpora/$reader
 [ -n "$reader" ] && [ -d "$corpus" ] || die "usage: sh tests/fuzz/run.sh stl|csv|calibration|checkpoint [SECONDS]"
 
-install_missing clang++:clang
+# The runtime of the fuzzer and the sanitizers is only recommended by the package clang.
+install_missing clang++:clang :libclang-rt-14-dev
 configure fuzz || exit 1
 build fuzz "fuzz_$reader" || exit 1
 program=$root/build/fuzz/tests/fuzz_readers/fuzz_$reader

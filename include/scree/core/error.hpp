@@ -33,12 +33,12 @@ std::string message(const Parts&... parts) {
   return out.str();
 }
 
-/// Text from elsewhere as a message can show it: in one line, no longer than `most`.
+/// Text of which nothing is known as a message can show it: in one line, everything but printable ASCII as
+/// '?', no longer than `most`.
 inline std::string printable(std::string_view text, std::size_t most = 1000) {
   std::string out{text.substr(0, most)};
   for (char& c : out) {
-    const auto code = static_cast<unsigned char>(c);
-    c = code < ' ' || code == 127 ? '?' : c;
+    c = c >= ' ' && c <= '~' ? c : '?';
   }
   return out + (text.size() > most ? "..." : "");
 }

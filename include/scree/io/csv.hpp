@@ -172,9 +172,13 @@ struct CsvLimits {
 
 namespace detail {
 
-/// A field as it is shown in a message.
+/// A field as it is shown in a message: in quotes, one line, not too long.
 inline std::string quoted(std::string_view field) {
-  return '"' + printable(field, 40) + '"';
+  constexpr std::size_t most = 40;
+  std::string shown{field.substr(0, most)};
+  std::replace_if(
+      shown.begin(), shown.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; }, '?');
+  return '"' + shown + (field.size() > most ? "...\"" : "\"");
 }
 
 inline std::string_view trimmed(std::string_view text) {

@@ -72,13 +72,6 @@ public:
     }
     return true;
   }
-  /// The word with everything but printable ASCII shown as '?'.
-  static std::string printable(std::string word) {
-    for (char& c : word) {
-      c = c > ' ' && c <= '~' ? c : '?';
-    }
-    return word;
-  }
 
 private:
   static constexpr int end = std::streambuf::traits_type::eof();
