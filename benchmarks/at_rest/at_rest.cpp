@@ -1,6 +1,7 @@
 // How much of a drag is at rest?
 
-#include "scree/geometry/dragline_bucket.hpp"
+#include "../support/bucket.hpp"
+
 #include "scree/laboratory/drag_rig.hpp"
 #include "scree/laboratory/rock_sample.hpp"
 
@@ -86,10 +87,7 @@ void drag_at(double speed, double distance) {
   DragSetup setup = desk_drag();
   setup.drag_speed = speed;
   setup.drag_distance = distance;
-  const DraglineBucket bucket;
-  DragRig<DefaultModel> rig{setup,
-                            {make_dragline_bucket(bucket, BucketDetail::simplified), bucket_interior(bucket),
-                             hitch_points(bucket), estimated_from_plates(bucket)}};
+  DragRig<DefaultModel> rig{setup, benchmarks::bucket()};
   const auto ignore = [](const auto&...) {};
   rig.make_bed(desk_rock().assembly, ignore);
   rig.place_bucket(ignore);

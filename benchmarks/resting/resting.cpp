@@ -1,7 +1,8 @@
 // What do resting regions gain in a drag, and what do they change?
 
+#include "../support/bucket.hpp"
+
 #include "scree/core/archive.hpp"
-#include "scree/geometry/dragline_bucket.hpp"
 #include "scree/laboratory/drag_rig.hpp"
 #include "scree/laboratory/rock_sample.hpp"
 
@@ -36,15 +37,9 @@ struct Outcome {
   double resting = 0.0; // mean share of the grains
 };
 
-BucketBody bucket() {
-  const DraglineBucket shape;
-  return {make_dragline_bucket(shape, BucketDetail::simplified), bucket_interior(shape), hitch_points(shape),
-          estimated_from_plates(shape)};
-}
-
 /// The drag of the rig that was kept before the bucket was laid on its bed.
 Outcome dragged(const DragSetup& setup, const std::string& kept) {
-  DragRig<DragModel> rig{setup, bucket()};
+  DragRig<DragModel> rig{setup, benchmarks::bucket()};
   ArchiveReader reader{kept, "the bed"};
   reader(rig);
   double steps = 0.0;
@@ -106,7 +101,7 @@ void compare(double speed, double distance, std::uint64_t seeds) {
     setup.seed = seed;
     setup.drag_speed = speed;
     setup.drag_distance = distance;
-    DragRig<DragModel> rig{setup, bucket()};
+    DragRig<DragModel> rig{setup, benchmarks::bucket()};
     rig.make_bed(desk_rock().assembly, [](const auto&...) {});
     ArchiveWriter writer;
     writer(rig);

@@ -109,7 +109,9 @@ public:
     options.add("load.most_inertial_number", setup_.most_inertial_number, {1e-9, 1e3},
                 "above which it is refused, as not quasi-static");
     options.add("load.approach", setup_.approach, {1.0, 1e3},
-                "times as fast the lid comes down to the grains");
+                "times as fast the lid comes down on the grains");
+    options.add("load.approach_to", setup_.approach_to, {1e-6, 1.0},
+                "share of the low stress up to which it does");
     options.add("load.slope_from", setup_.slope_from, {0.0, 1.0},
                 "share of the way to high load at which the slope begins");
     options.add("load.slope_to", setup_.slope_to, {0.0, 1.0}, "and ends");

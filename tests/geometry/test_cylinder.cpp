@@ -146,3 +146,23 @@ TEST_CASE("a cylinder refuses what has no shape") {
   CHECK_THROWS_AS((void)checked({.radius = 1.0, .length = 0.0}), Error);
   CHECK_THROWS_AS((void)checked({.base = {std::nan(""), 0, 0}, .radius = 1.0}), Error);
 }
+
+TEST_CASE("a sphere can grow by the gap, and no further, before it touches a cylinder") {
+  Random random{173};
+  std::size_t clear = 0;
+  for (int k = 0; k < 2000; ++k) {
+    const Vector centre{random.uniform(0.0, 2.0), random.uniform(1.0, 3.0), random.uniform(2.5, 5.5)};
+    for (const Cylinder& cylinder : {tube, roller}) {
+      SurfaceContacts contacts;
+      const double gap = cylinder.touch(centre, 0.05, contacts);
+      REQUIRE(contacts.empty() == (gap >= 0.0));
+      // Past the mantle, where no grain gets to, it is deep in.
+      if (gap >= 0.0) {
+        ++clear;
+        REQUIRE(touch(cylinder, centre, 0.05 + gap * (1.0 - 1e-9)).empty());
+        REQUIRE(!touch(cylinder, centre, 0.05 + gap * (1.0 + 1e-9) + 1e-12).empty());
+      }
+    }
+  }
+  CHECK(clear > 1000);
+}

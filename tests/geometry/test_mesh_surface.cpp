@@ -12,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <vector>
 
 using namespace scree;
@@ -384,4 +385,25 @@ TEST_CASE("a mesh surface refuses what cannot be touched") {
   bad.vertices[1] = Vector{-1, -2, 0};
   bad.vertices[2] = Vector{-1, -3, 0}; // facet 0 on a line
   CHECK_THROWS_WITH_AS(MeshSurface{bad}, doctest::Contains("facet 0 has no area"), Error);
+}
+
+TEST_CASE("a sphere can grow by the gap before it touches a mesh") {
+  Random random{179};
+  const MeshSurface surface{rough_ground(6, 0.4, random)};
+  std::vector<std::uint32_t> all(surface.mesh().facets.size());
+  std::iota(all.begin(), all.end(), 0U);
+  std::size_t clear = 0;
+  for (int k = 0; k < 1000; ++k) {
+    const Vector centre{random.uniform(-0.5, 6.5), random.uniform(-0.5, 6.5), random.uniform(-1.5, 1.5)};
+    SurfaceContacts contacts;
+    const double gap = surface.touch(all, centre, 0.2, contacts);
+    REQUIRE(gap >= 0.0);
+    if (!contacts.empty()) {
+      REQUIRE(gap == 0.0);
+      continue;
+    }
+    clear += gap > 0.05 ? 1 : 0;
+    REQUIRE(touch(surface, centre, 0.2 + gap * (1.0 - 1e-9)).empty());
+  }
+  CHECK(clear > 100);
 }

@@ -45,6 +45,7 @@ TEST_CASE("oedometers and heaps refuse what is out of range") {
   SCREE_REFUSES(OedometerSetup, strain_rate, "oedometer strain_rate", 0.0, not_a_number);
   SCREE_REFUSES(OedometerSetup, most_inertial_number, "oedometer most_inertial_number", 0.0, not_a_number);
   SCREE_REFUSES(OedometerSetup, approach, "oedometer approach", 0.5, not_a_number);
+  SCREE_REFUSES(OedometerSetup, approach_to, "oedometer approach_to", 0.0, 1.1, not_a_number);
   SCREE_REFUSES(OedometerSetup, slope_from, "oedometer slope_from", -0.1, not_a_number);
   SCREE_REFUSES(OedometerSetup, slope_to, "oedometer slope_to", 0.2, 1.1, not_a_number);
   SCREE_REFUSES(OedometerSetup, points, "oedometer points", 9U);

@@ -22,7 +22,8 @@ struct Cylinder {
   double length = std::numeric_limits<double>::infinity(); ///< m, above 0
   Side side = Side::inside;                                ///< on which the grains are
 
-  void touch(const Vector& centre, double sphere_radius, SurfaceContacts& contacts) const {
+  /// Appends the contact, if there is one. Returns the gap [m], below 0 where there is.
+  double touch(const Vector& centre, double sphere_radius, SurfaceContacts& contacts) const {
     const Vector from_base = centre - base;
     const double along = from_base.dot(axis);
     const Vector radial = from_base - along * axis;
@@ -39,13 +40,14 @@ struct Cylinder {
         contacts.push_back(
             {side == Side::inside ? Vector(-outward) : outward, sphere_radius - distance, point});
       }
-      return;
+      return distance - sphere_radius;
     }
     const Vector to_centre = centre - point;
     const double distance = to_centre.norm();
     if (distance < sphere_radius && distance > 0.0) {
       contacts.push_back({to_centre / distance, sphere_radius - distance, point});
     }
+    return distance - sphere_radius;
   }
 
   [[nodiscard]] bool near(const Vector& centre, double reach) const {

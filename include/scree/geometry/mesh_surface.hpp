@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -80,14 +81,17 @@ public:
   }
 
   /// Appends the contacts of a sphere with the given facets, which must hold all that are within its radius.
-  void touch(std::span<const std::uint32_t> facets, const Vector& centre, double radius,
-             SurfaceContacts& contacts) const {
+  /// Returns a gap [m] that there is at least to any of them, 0 where there are contacts.
+  double touch(std::span<const std::uint32_t> facets, const Vector& centre, double radius,
+               SurfaceContacts& contacts) const {
     boost::container::small_vector<Minimum, 16> minima;
+    double off_plane = std::numeric_limits<double>::infinity(), apart2 = off_plane;
     for (const std::uint32_t f : facets) {
       const auto corners = mesh_.corners(f);
       const Vector to_plane_point = centre - corners[0];
       const double height = to_plane_point.dot(normals_[f]);
       if (std::abs(height) >= radius) {
+        off_plane = std::min(off_plane, std::abs(height));
         continue;
       }
       const ClosestPoint nearest = closest_point(corners, centre);
@@ -96,7 +100,12 @@ public:
         minima.push_back({height * height, f, nearest.feature, Vector(centre - height * normals_[f])});
       } else if (const double d2 = (centre - nearest.point).squaredNorm(); d2 < radius * radius) {
         minima.push_back({d2, f, nearest.feature, nearest.point});
+      } else {
+        apart2 = std::min(apart2, d2);
       }
+    }
+    if (minima.empty()) {
+      return std::max(0.0, std::min(off_plane, std::sqrt(apart2)) - radius);
     }
     std::sort(minima.begin(), minima.end(), [](const Minimum& a, const Minimum& b) {
       return a.squared_distance != b.squared_distance ? a.squared_distance < b.squared_distance
@@ -115,6 +124,7 @@ public:
         contacts.push_back(contact);
       }
     }
+    return 0.0;
   }
 
 private:

@@ -15,11 +15,13 @@ struct Plane {
   Vector point = Vector::Zero();   ///< m
   Vector normal = Vector::UnitZ(); ///< out of the solid; any length above 0, made a unit vector by `checked`
 
-  void touch(const Vector& centre, double radius, SurfaceContacts& contacts) const {
+  /// Appends the contact, if there is one. Returns the gap [m], below 0 where there is.
+  double touch(const Vector& centre, double radius, SurfaceContacts& contacts) const {
     const double distance = (centre - point).dot(normal);
     if (distance < radius) {
       contacts.push_back({normal, radius - distance, Vector(centre - distance * normal)});
     }
+    return distance - radius;
   }
   /// Whether a sphere could touch; m.
   [[nodiscard]] bool near(const Vector& centre, double reach) const {

@@ -39,7 +39,7 @@ public:
   /// Of all pairs on the list, with a history for each, those that touch: as the law gives them for the
   /// present positions.
   template <class Pairs, class Histories, class Visit>
-  void visit_pairs(const Pairs& pairs, const Histories& histories, Visit& visit) const {
+  void visit_pairs(const Pairs& pairs, const Histories& histories, Visit& visit) {
     for (std::size_t i = 0; i < pairs.row_count(); ++i) {
       for (std::size_t pair = pairs.begin_of(i); pair < pairs.begin_of(i + 1); ++pair) {
         visit_pair(i, pairs.partner(pair), histories[pair], visit);
@@ -49,7 +49,7 @@ public:
 
   /// As they were in the last step.
   template <class WallContacts, class AnyWall, class Visit>
-  void visit_wall_contacts(const WallContacts& contacts, std::span<const AnyWall> walls, Visit& visit) const {
+  void visit_wall_contacts(const WallContacts& contacts, std::span<const AnyWall> walls, Visit& visit) {
     for (const auto& c : contacts) {
       const auto& sphere = bodies_.spheres()[c.sphere];
       const auto& pair = pair_of(sphere.material, walls[c.wall].surfaces[c.surface].material());
@@ -59,8 +59,15 @@ public:
   }
 
 private:
-  [[nodiscard]] auto pair_of(std::uint32_t a, std::uint32_t b) const {
-    return materials_.pair(static_cast<MaterialId>(a), static_cast<MaterialId>(b));
+  /// Most contacts are of the materials of the one before, and to mix two means to look for a root.
+  const PairMaterial<double>& pair_of(std::uint32_t a, std::uint32_t b) {
+    if (!known_ || a != a_ || b != b_) {
+      pair_ = materials_.pair(static_cast<MaterialId>(a), static_cast<MaterialId>(b));
+      known_ = true;
+      a_ = a;
+      b_ = b;
+    }
+    return pair_;
   }
 
   template <class History>
@@ -72,7 +79,7 @@ private:
   }
 
   template <class History, class Visit>
-  void visit_pair(std::size_t i, Partner partner, History history, Visit& visit) const {
+  void visit_pair(std::size_t i, Partner partner, History history, Visit& visit) {
     const auto &own = bodies_.spheres()[i], &other = bodies_.spheres()[partner.sphere];
     const Vec3<double> apart = own.position - other.position - domain_.shift(partner.image);
     const double d2 = squared_norm(apart), reach = own.radius + other.radius;
@@ -80,7 +87,7 @@ private:
       return;
     }
     const Touch<Real> touch = touch_of(own, other, apart, d2, Real{0});
-    const auto pair = pair_of(own.material, other.material);
+    const auto& pair = pair_of(own.material, other.material);
     const ContactForce<Real> f = law_.evaluate(pair.template as<Real>(), touch.kinematics, history);
     const Vector normal = to_eigen(touch.kinematics.normal);
     const auto overlap = static_cast<double>(touch.kinematics.overlap);
@@ -95,6 +102,9 @@ private:
   const MaterialTable& materials_;
   const Domain& domain_;
   const Bodies<Real>& bodies_;
+  PairMaterial<double> pair_{};
+  std::uint32_t a_ = 0, b_ = 0;
+  bool known_ = false;
 };
 
 } // namespace detail

@@ -237,7 +237,7 @@ public:
   /// present positions. Changes nothing.
   template <class Visit>
   void visit_contacts(Visit visit) const {
-    const detail::ContactViewer viewer{setup_.contact, materials_, domain_, bodies_};
+    detail::ContactViewer viewer{setup_.contact, materials_, domain_, bodies_};
     viewer.visit_pairs(lists_.pairs(), lists_.histories(), visit);
     for (const auto& block : lists_.wall_blocks()) {
       viewer.visit_wall_contacts(block.contacts, walls(), visit);

@@ -21,6 +21,12 @@ struct WallCandidate {
   std::uint32_t first_facet, facet_count; ///< in the facet list, for a mesh
   /// m, centre of the sphere when its contacts were last looked for; not a number before
   Vec3<double> seen{std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0};
+  double gap = 0.0; ///< m, to the surface at that time, 0 where it touched; found again after a checkpoint
+
+  template <class Self, class Archive>
+  static void fields(Self& self, Archive& archive) {
+    archive(self.sphere, self.wall, self.surface, self.first_facet, self.facet_count, self.seen);
+  }
 };
 
 /// A sphere that touches a surface. The contact is known again in the next step by where it is on the wall,

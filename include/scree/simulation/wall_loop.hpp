@@ -112,6 +112,9 @@ private:
     for (WallCandidate& candidate : block.candidates) {
       const InStep& wall = in_step_[candidate.wall];
       const SphereRecord<Real>& sphere = std::as_const(bodies_).spheres()[candidate.sphere];
+      if (wall.still && squared_norm(sphere.position - candidate.seen) < candidate.gap * candidate.gap) {
+        continue; // it cannot have closed the gap
+      }
       const auto key = std::tuple{candidate.sphere, candidate.wall, candidate.surface};
       if (wall.still && sphere.position == candidate.seen) {
         for (; old != block.before.end() && old->key() <= key; ++old) {
@@ -125,9 +128,10 @@ private:
       candidate.seen = sphere.position;
       const Vector centre = to_eigen(sphere.position);
       found.clear();
-      walls_[candidate.wall].surfaces[candidate.surface].touch(
+      const double gap = walls_[candidate.wall].surfaces[candidate.surface].touch(
           {block.facets.data() + candidate.first_facet, candidate.facet_count},
           wall.axes.transpose() * (centre - wall.position), sphere.radius, found);
+      candidate.gap = std::max(0.0, gap * (1.0 - 1e-9)); // off by a hair, as it is rounded
       if (found.empty()) {
         continue;
       }

@@ -45,15 +45,16 @@ public:
     return plane != nullptr ? plane->near(centre, reach) : std::get<Cylinder>(shape_).near(centre, reach);
   }
 
-  void touch(std::span<const std::uint32_t> facets, const Vector& centre, double radius,
-             SurfaceContacts& contacts) const {
+  /// Appends the contacts of a sphere, for a mesh with these facets. Returns a gap [m] that there is at
+  /// least, 0 or below where it touches.
+  double touch(std::span<const std::uint32_t> facets, const Vector& centre, double radius,
+               SurfaceContacts& contacts) const {
     if (const auto* mesh = this->mesh()) {
-      mesh->touch(facets, centre, radius, contacts);
-    } else if (const auto* plane = std::get_if<Plane>(&shape_)) {
-      plane->touch(centre, radius, contacts);
-    } else {
-      std::get<Cylinder>(shape_).touch(centre, radius, contacts);
+      return mesh->touch(facets, centre, radius, contacts);
     }
+    const auto* plane = std::get_if<Plane>(&shape_);
+    return plane != nullptr ? plane->touch(centre, radius, contacts)
+                            : std::get<Cylinder>(shape_).touch(centre, radius, contacts);
   }
 
   /// Whether it has facets of these numbers.

@@ -1,0 +1,139 @@
+// How long does the drag of the paper's size take?
+
+#include "../support/bucket.hpp"
+
+#include "scree/core/archive.hpp"
+#include "scree/io/checkpoint_file.hpp"
+#include "scree/laboratory/drag_rig.hpp"
+#include "scree/laboratory/rock_sample.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <string>
+
+namespace {
+
+using namespace scree;
+
+struct DragModel : DefaultModel {
+  using Walls = scree::Walls<Fixed, RopeCoupled>;
+  using Rest = RestingRegions;
+};
+using Rig = DragRig<DragModel>;
+
+/// The steps that the paper's stiffness needs are too many to come anywhere. Softer rock of the same sizes
+/// takes the same work a step, and longer ones by the root of this.
+constexpr double softer = 2000.0;
+constexpr double stretch = 0.1; // m
+
+DragSetup setup_of(unsigned threads) {
+  DragSetup setup;
+  setup.threads = threads;
+  setup.bed.rest.moving = 0.02; // the last rattlers do not matter here
+  for (Material* material : {&setup.rock, &setup.steel, &setup.floor}) {
+    material->normal_stiffness /= softer;
+    material->shear_stiffness /= softer;
+  }
+  setup.drag_distance = stretch;
+  return setup;
+}
+
+/// A line now and then.
+class Told {
+public:
+  template <class Sim>
+  void operator()(const Sim& simulation, const Stage& stage) {
+    if (++steps_ % 1000 == 0) {
+      std::printf("%s: %.3f s, %d grains, %.1f ms a step\n", stage.name.c_str(), simulation.time(),
+                  static_cast<int>(simulation.bodies().size()),
+                  1e3 * (simulation.times().total() - seconds_) / 1000.0);
+      std::fflush(stdout);
+      seconds_ = simulation.times().total();
+    }
+  }
+
+private:
+  std::size_t steps_ = 0;
+  double seconds_ = 0.0;
+};
+
+constexpr const char* kind = "drag rig of lab_drag";
+
+void make_bed(const std::filesystem::path& file, unsigned threads) {
+  Rig rig{setup_of(threads), benchmarks::bucket()};
+  const BedReport& bed = rig.make_bed(paper_rock().assembly, Told{});
+  std::printf("bed: %d grains of %d spheres, porosity %.3f\n", static_cast<int>(bed.kept),
+              static_cast<int>(rig.simulation().bodies().sphere_count()), bed.porosity);
+  ArchiveWriter writer;
+  writer(rig);
+  write_checkpoint(file, kind, writer.bytes());
+}
+
+/// Drags over the stretch and says what the whole metre would take in the steps of the paper's rock.
+void drag(const std::filesystem::path& file, unsigned threads, bool rest) {
+  DragSetup setup = setup_of(threads);
+  if (rest) {
+    setup.resting = {.speed = 0.01 * setup.drag_speed, .force = 0.1, .window = 500, .interval = 20};
+  }
+  Rig rig{setup, benchmarks::bucket()};
+  {
+    const Checkpoint kept = read_checkpoint(file, kind);
+    ArchiveReader reader{kept.content, file.string()};
+    reader(rig);
+  }
+  rig.place_bucket([](const auto&) {});
+  const auto& simulation = rig.simulation();
+  const StepTimes at_start = simulation.times();
+  const double begin = simulation.time();
+  const double grains = static_cast<double>(simulation.bodies().size());
+  double steps = 0.0, left_out = 0.0, shown = 0.0;
+  while (!rig.done()) {
+    rig.advance(0.005, [&](const auto& s) {
+      ++steps;
+      left_out += static_cast<double>(s.resting_count()) / static_cast<double>(s.bodies().size());
+    });
+    if (rig.drag() >= shown) {
+      const double seconds = simulation.times().total() - at_start.total();
+      std::printf("%.3f m: %.0f steps in %.0f s, %.2f of the grain-steps left out\n", rig.drag(), steps,
+                  seconds, left_out / steps);
+      std::fflush(stdout);
+      shown += 0.01;
+    }
+  }
+  StepTimes spent = simulation.times();
+  spent += at_start.scaled(-1.0);
+  const double span = simulation.time() - begin;
+  // Lists are made anew after so much way, everything else is done in every step.
+  const double metre = (1.0 + 0.5 * setup.drag_speed * setup.ramp) / setup.drag_speed / span;
+  const double whole = metre * (spent.search + (spent.total() - spent.search) * std::sqrt(softer));
+  std::printf(
+      "%s resting regions, %u threads: %.0f grains, %.2f ms a step (search %.2f of it), %.3g grain-steps/s; "
+      "%.2f left out; 1 m in steps of %.2f us: %.1f h\n",
+      rest ? "with" : "without", threads, grains, 1e3 * spent.total() / steps, spent.search / spent.total(),
+      grains * steps / spent.total(), left_out / steps, 1e6 * span / steps / std::sqrt(softer),
+      whole / 3600.0);
+}
+
+} // namespace
+
+/// lab_drag [FILE [THREADS]]: FILE has the bed, which is made where there is none.
+int main(int argc, char** argv) {
+  try {
+    const std::filesystem::path file = argc > 1 && argv[1][0] != '-' ? argv[1] : "lab_drag.bed";
+    const unsigned threads = argc > 2 ? static_cast<unsigned>(std::strtoul(argv[2], nullptr, 10)) : 2;
+    if (!std::filesystem::exists(file)) {
+      make_bed(file, threads);
+    }
+    for (const bool rest : {false, true}) {
+      drag(file, threads, rest);
+    }
+    return 0;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "lab_drag: %s\n", error.what());
+    return 1;
+  }
+}
