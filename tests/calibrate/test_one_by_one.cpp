@@ -9,6 +9,8 @@
 
 using namespace scree;
 
+namespace one_by_one_tests {
+
 namespace {
 
 /// What the paper's three experiments might answer; every packing (seed) is off by a factor of its own.
@@ -126,3 +128,5 @@ TEST_CASE("one by one refuses what makes no sense") {
                        doctest::Contains("start of friction = 0.95"), Error);
   CHECK_THROWS_WITH_AS(calibration.fit({1800.0}, model()), doctest::Contains("1 start values for 3"), Error);
 }
+
+} // namespace one_by_one_tests

@@ -9,6 +9,8 @@
 
 using namespace scree;
 
+namespace response_surface_tests {
+
 namespace {
 
 /// A plane, a bend, and the two with a sign changed; the noises of the first and the last are alike.
@@ -114,3 +116,5 @@ TEST_CASE("a part of the surfaces is what its observables alone give") {
   CHECK((part.noise() - alone.noise()).norm() < 1e-14);
   CHECK((part.correlation() - alone.correlation()).norm() < 1e-12);
 }
+
+} // namespace response_surface_tests

@@ -16,6 +16,8 @@
 
 using namespace scree;
 
+namespace action_reaction_tests {
+
 namespace {
 
 const Material rock{.normal_stiffness = 1e6,
@@ -86,3 +88,5 @@ TEST_CASE_TEMPLATE("the same motion seen from i and from j gives opposite forces
   CHECK(slid > 100);
   CHECK(stuck > 100);
 }
+
+} // namespace action_reaction_tests

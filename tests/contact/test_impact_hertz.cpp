@@ -16,6 +16,8 @@
 #include <vector>
 
 using namespace scree;
+
+namespace impact_hertz_tests {
 using test::relative_error;
 
 namespace {
@@ -139,3 +141,5 @@ TEST_CASE("physics: the elastic impact converges with the second order of the le
                                 << " m");
   CHECK(fine < coarse / 100.0); // 256 for second order, less the chance of where the last step falls
 }
+
+} // namespace impact_hertz_tests

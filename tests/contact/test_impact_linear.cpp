@@ -14,6 +14,8 @@
 #include <vector>
 
 using namespace scree;
+
+namespace impact_linear_tests {
 using test::relative_error;
 
 namespace {
@@ -173,3 +175,5 @@ TEST_CASE("physics: a fixed partner and a wall are partners of infinite mass") {
   CHECK(relative_error(rebound(true), 0.3) < 1e-4);
   CHECK(relative_error(rebound(false), 0.3) < 1e-4);
 }
+
+} // namespace impact_linear_tests

@@ -14,6 +14,8 @@
 #include <vector>
 
 using namespace scree;
+
+namespace own_extension_tests {
 using test::relative_error;
 
 namespace {
@@ -111,3 +113,5 @@ TEST_CASE("an extension of null strength leaves the force as it is, to the bit")
     REQUIRE(a == b);
   }
 }
+
+} // namespace own_extension_tests

@@ -16,6 +16,8 @@
 #include <vector>
 
 using namespace scree;
+
+namespace requirements_tests {
 using test::relative_error;
 
 namespace {
@@ -115,3 +117,5 @@ TEST_CASE("a law tells the stiffest that a contact gets, for the time step") {
   CHECK(relative_error(hertz.normal, 2.0 * e * std::sqrt(0.005 * overlap)) < 1e-12);
   CHECK(relative_error(hertz.shear, 8.0 * g * std::sqrt(0.005 * overlap)) < 1e-12);
 }
+
+} // namespace requirements_tests

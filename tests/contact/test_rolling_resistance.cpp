@@ -16,6 +16,8 @@
 #include <vector>
 
 using namespace scree;
+
+namespace rolling_resistance_tests {
 using test::DrivenContact;
 using test::relative_error;
 
@@ -172,3 +174,5 @@ TEST_CASE(
   CHECK(relative_error(sim.bodies().velocity(0).x(), expected) < 2e-3);
   CHECK(relative_error(sim.dissipation().total(), before - sim.bodies().kinetic_energy(0)) < 0.01);
 }
+
+} // namespace rolling_resistance_tests

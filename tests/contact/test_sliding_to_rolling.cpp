@@ -17,6 +17,8 @@
 #include <vector>
 
 using namespace scree;
+
+namespace sliding_to_rolling_tests {
 using test::ModelOf;
 using test::relative_error;
 
@@ -222,3 +224,5 @@ TEST_CASE("physics: a slanted plane of irregular facets is a plane too") {
   MESSAGE("relative difference: " << off);
   CHECK(off < 1e-9);
 }
+
+} // namespace sliding_to_rolling_tests

@@ -18,6 +18,8 @@
 using namespace scree;
 using namespace scree::test;
 
+namespace tangential_spring_tests {
+
 namespace {
 
 constexpr double radius_i = 0.01, radius_j = 0.015, overlap = 2e-5, dt = 1e-5;
@@ -232,3 +234,5 @@ TEST_CASE("Mindlin's spring makes no energy when the normal force falls") {
   MESSAGE("put in by three cycles: " << put_in << " J");
   CHECK(put_in > 0.0);
 }
+
+} // namespace tangential_spring_tests

@@ -12,6 +12,8 @@
 #include <vector>
 
 using namespace scree;
+
+namespace turning_wall_tests {
 using test::relative_error;
 
 namespace {
@@ -84,3 +86,5 @@ TEST_CASE("the spring of a wall contact turns with the wall, about any axis") {
     CHECK((force + Vector::UnitX()).norm() < 1.05 * angle * radius / slip * a * a / 6.0);
   }
 }
+
+} // namespace turning_wall_tests

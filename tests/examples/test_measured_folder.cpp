@@ -13,6 +13,8 @@
 #include <string>
 
 using namespace scree;
+
+namespace measured_folder_tests {
 using examples::read_plan;
 
 namespace {
@@ -306,3 +308,5 @@ TEST_CASE("a fault in a folder of measurements is told by file and line") {
   says(complaint(top + "curves = [\"heap.csv\"]\n"), "takes tables of observables only");
   says(complaint("fidelity = \"best\"\n"), "fidelity = \"best\" is not one of desk, lab");
 }
+
+} // namespace measured_folder_tests

@@ -12,6 +12,8 @@
 
 using namespace scree;
 
+namespace sand_data_tests {
+
 namespace {
 
 const std::string head = "sigma1 eps1 Void ratio\n[kPa] [%] [-]\n\n";
@@ -64,3 +66,5 @@ TEST_CASE("the Karlsruhe tests have the moduli between 114 and 407 kPa that thei
   CHECK(secant_modulus(test.unloading, low, high) == doctest::Approx(191.2e6).epsilon(0.002));
   CHECK(secant_modulus(test.reloading, low, high) == doctest::Approx(61.2e6).epsilon(0.002));
 }
+
+} // namespace sand_data_tests

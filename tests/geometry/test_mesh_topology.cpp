@@ -12,6 +12,8 @@
 #include <vector>
 
 using namespace scree;
+
+namespace mesh_topology_tests {
 using scree::test::box_mesh;
 using scree::test::soup;
 using scree::test::sphere_mesh;
@@ -193,3 +195,5 @@ TEST_CASE("shells are the parts that share no vertex") {
     CHECK(parts[1].corners(i) == box.corners(i));
   }
 }
+
+} // namespace mesh_topology_tests

@@ -16,6 +16,8 @@
 
 using namespace scree;
 
+namespace sphere_union_tests {
+
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -400,3 +402,5 @@ TEST_CASE("bad spheres are refused with their number") {
   CHECK(complaint({{Vector{0.0, 0.0, infinite}, 1.0}}).find("sphere 1: its centre") != std::string::npos);
   CHECK_THROWS_AS((void)sum_of_spheres_properties({}), Error);
 }
+
+} // namespace sphere_union_tests

@@ -20,6 +20,8 @@
 #include <string_view>
 
 using namespace scree;
+
+namespace stl_tests {
 using scree::test::box_mesh;
 using scree::test::content_of;
 using scree::test::ScratchFolder;
@@ -385,3 +387,5 @@ TEST_CASE("a mesh that the file could not hold is not written") {
   CHECK_THROWS_AS(write_stl_text(file, box_mesh({1.0, 1.0, 1.0}), "two\nlines"), Error);
   CHECK_THROWS_AS(write_stl_binary(folder / "no_such_folder" / "mesh.stl", tetrahedron()), Error);
 }
+
+} // namespace stl_tests

@@ -13,6 +13,8 @@
 
 using namespace scree;
 
+namespace resting_regions_tests {
+
 namespace {
 
 struct Resting : DefaultModel {
@@ -79,3 +81,5 @@ TEST_CASE("long: an oedometer with resting regions has the same modulus") {
       },
       [](const OedometerResult& result) { return result.modulus; });
 }
+
+} // namespace resting_regions_tests

@@ -11,6 +11,8 @@
 
 using namespace scree;
 
+namespace loose_pile_tests {
+
 namespace {
 
 const Eigen::AlignedBox3d footprint{Vector{-0.2, 0.1, 0.5}, Vector{0.0, 0.25, 0.6}};
@@ -105,3 +107,5 @@ TEST_CASE("a loose pile refuses what it cannot place") {
   CHECK_THROWS_AS(place({0, 0.1}, 0.0, 0), Error);
   CHECK(loose_pile(shapes, {}, footprint, random).bodies.empty());
 }
+
+} // namespace loose_pile_tests

@@ -17,6 +17,8 @@
 
 using namespace scree;
 
+namespace changes_tests {
+
 namespace {
 
 constexpr double size = 0.008;
@@ -308,3 +310,5 @@ TEST_CASE("a body that passes a periodic boundary keeps its springs, with others
     CHECK(largest < 0.05 * before);
   }
 }
+
+} // namespace changes_tests

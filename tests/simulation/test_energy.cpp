@@ -19,6 +19,8 @@
 
 using namespace scree;
 
+namespace energy_tests {
+
 namespace {
 
 struct Case {
@@ -193,3 +195,5 @@ TEST_CASE("physics: a loose stack comes to rest and stays there, Hertz-Mindlin l
   check_rest<test::RollingHertzian>(false);
   check_rest<test::RollingHertzian>(true);
 }
+
+} // namespace energy_tests

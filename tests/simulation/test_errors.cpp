@@ -15,6 +15,8 @@
 
 using namespace scree;
 
+namespace errors_tests {
+
 namespace {
 
 const double not_a_number = std::numeric_limits<double>::quiet_NaN();
@@ -168,3 +170,5 @@ TEST_CASE("looking at a simulation does not change what happens") {
   };
   CHECK(run(false) == run(true));
 }
+
+} // namespace errors_tests

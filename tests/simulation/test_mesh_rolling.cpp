@@ -16,6 +16,8 @@
 
 using namespace scree;
 
+namespace mesh_rolling_tests {
+
 namespace {
 
 constexpr double radius = 0.01;
@@ -191,3 +193,5 @@ TEST_CASE("a ball dropped on an edge or vertex of a box is thrown back along the
     CHECK(sim.bodies().angular_velocity(0).norm() < 1e-9);
   }
 }
+
+} // namespace mesh_rolling_tests

@@ -18,6 +18,8 @@
 
 using namespace scree;
 
+namespace moving_walls_tests {
+
 namespace {
 
 constexpr double g = 9.81, radius = 0.01;
@@ -258,3 +260,5 @@ TEST_CASE("a prescribed wall refuses a path that is not a number") {
                 }}});
   CHECK_THROWS_WITH_AS(run_for(sim, 0.01), doctest::Contains("prescribed wall"), Error);
 }
+
+} // namespace moving_walls_tests

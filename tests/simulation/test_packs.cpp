@@ -16,9 +16,11 @@
 #include <cstddef>
 #include <type_traits>
 
-namespace {
-
 using namespace scree;
+
+namespace packs_tests {
+
+namespace {
 
 /// A law that knows no packs, as a user's may be: the loop falls back to plain numbers.
 template <class Law>
@@ -112,3 +114,5 @@ TEST_CASE("physics: packs and plain numbers give the same motion, Hertz-Mindlin 
 TEST_CASE("physics: packs and plain numbers give the same motion, linear spring in float") {
   compare<LinearSpring<>, float>(1e-4);
 }
+
+} // namespace packs_tests

@@ -23,6 +23,8 @@
 
 using namespace scree;
 
+namespace resting_tests {
+
 namespace {
 
 template <class Search>
@@ -384,3 +386,5 @@ TEST_CASE("what counts as rest is checked") {
   CHECK(refused({.window = 15, .interval = 10}) ==
         "rest.window = 15 steps must be a multiple of rest.interval = 10");
 }
+
+} // namespace resting_tests

@@ -21,9 +21,11 @@
 #include <numbers>
 #include <vector>
 
-namespace {
-
 using namespace scree;
+
+namespace single_precision_tests {
+
+namespace {
 
 constexpr double tube_radius = 0.04; // m
 constexpr std::size_t stones = 160;
@@ -217,3 +219,5 @@ TEST_CASE("long: heaps in float are as steep as in double") {
   CHECK(mean.value > 15.0); // it is a heap
   CHECK(most < mean.error);
 }
+
+} // namespace single_precision_tests

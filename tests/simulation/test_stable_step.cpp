@@ -14,6 +14,8 @@
 
 using namespace scree;
 
+namespace stable_step_tests {
+
 namespace {
 
 /// States a stiffness that is too small by the square of a factor, so that steps longer by that factor pass.
@@ -358,3 +360,5 @@ TEST_CASE("physics: a bed of clumps comes to rest at the critical step") {
     CHECK(kinetic_energy(sim) < 1e-9);
   }
 }
+
+} // namespace stable_step_tests

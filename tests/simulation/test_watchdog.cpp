@@ -13,6 +13,8 @@
 
 using namespace scree;
 
+namespace watchdog_tests {
+
 namespace {
 
 /// A ball in a box of planes, with a lid that a force moves and a block on a rope.
@@ -124,3 +126,5 @@ TEST_CASE("bounds of the watch out of range are refused") {
   CHECK_THROWS_WITH_AS(Watchdog{SaneBounds{.interval = 0}}, doctest::Contains("watch interval = 0 steps"),
                        Error);
 }
+
+} // namespace watchdog_tests
