@@ -1,4 +1,5 @@
 #include "laboratory/experiment.hpp"
+#include "support/degree.hpp"
 #include "support/recipe_options.hpp"
 
 #include "scree/io/csv.hpp"
@@ -7,13 +8,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 
 namespace scree::examples {
 
 namespace {
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 void write_profiles(const std::filesystem::path& folder, const HeapResult& r) {
   const HeapAngle& flank = r.flank;

@@ -1,5 +1,6 @@
 #include "laboratory/dragline.hpp"
 #include "laboratory/experiment.hpp"
+#include "support/degree.hpp"
 
 #include "scree/io/csv.hpp"
 #include "scree/laboratory/drag_test.hpp"
@@ -9,7 +10,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <numbers>
 #include <span>
 #include <string>
 #include <utility>
@@ -19,7 +19,6 @@ namespace scree::examples {
 
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
 constexpr const char* table = "drag.csv";
 
 void write_table(const std::filesystem::path& folder, std::span<const DragSample> curve,

@@ -3,7 +3,6 @@
 #include <Eigen/Dense>
 
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace paper_gap {
@@ -44,8 +43,6 @@ std::vector<AliasGroup> alias_groups() {
 }
 
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// Sum of squares about the means of the runs, and what is left of the number of values.
 std::pair<double, double> pure_error(const std::vector<Response>& responses, std::size_t runs) {

@@ -4,10 +4,14 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
 namespace paper_gap {
+
+/// Stands where the responses do not determine a number.
+inline constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// What may differ between the laboratory and its simulation, and the two ways in which it is done here.
 struct Factor {

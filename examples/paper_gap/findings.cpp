@@ -2,13 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace paper_gap {
 
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 double logarithm(double force) {
   return force > 0.0 ? std::log(force) : none;

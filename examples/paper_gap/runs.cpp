@@ -1,21 +1,20 @@
 #include "runs.hpp"
 
 #include "support/default_simulation.hpp"
+#include "support/degree.hpp"
 
 #include "scree/core/monotone_cubic.hpp"
 #include "scree/laboratory/digging_path.hpp"
 #include "scree/laboratory/drag_test.hpp"
 
-#include <numbers>
 #include <utility>
 
 namespace paper_gap {
 
 using namespace scree;
+using examples::degree;
 
 namespace {
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 /// Makes a watcher of a run that ends it where it takes too long.
 auto limited(double limit) {

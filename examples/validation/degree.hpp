@@ -2,10 +2,10 @@
 /// \file
 /// Angles as the papers give them.
 
-#include <numbers>
+#include "support/degree.hpp"
 
 namespace validation {
 
-inline constexpr double degree = std::numbers::pi / 180.0; // rad
+using scree::examples::degree;
 
 } // namespace validation
