@@ -14,7 +14,7 @@ namespace {
 
 /// Of the runs that are shown; ours, and none that a calibration draws.
 constexpr std::uint64_t first_shown = 1000;
-constexpr std::size_t shown = 4;
+constexpr std::size_t shown_runs = 4;
 
 } // namespace
 
@@ -43,7 +43,7 @@ std::string draw_before_and_after(const Plan& plan, Trials& trials, const std::v
     }
     for (std::size_t s = 0; s < 2; ++s) {
       std::vector<Trials::Replicate> wanted;
-      for (std::size_t n = 0; n < shown; ++n) {
+      for (std::size_t n = 0; n < shown_runs; ++n) {
         wanted.push_back({planned, sides[s].parameters, first_shown + n});
       }
       for (const RunOutcome& run : trials.replicates(wanted)) {

@@ -90,7 +90,7 @@ std::string not_yet(const std::string& experiment) {
   return experiment.substr(0, experiment.find("data = ")) + "measured = false\n";
 }
 
-constexpr const char* held_out = "held_out = true\n";
+constexpr const char* not_fitted = "held_out = true\n";
 constexpr const char* first_loading = R"(held_out = true
 use = ["first_modulus_Pa", "settlement", "base_share"]
 )";
@@ -164,7 +164,7 @@ std::string micro() {
   return base("5e3", "3e4") + rock + single_rocks("1000", "12.0") + container("bulk_density", "0.1", "0.1") +
          tamped("tamped", "0.1", "0.1", "0.3") +
          oedometer("oedometer", "0.1", "0.08", std::string{"fill.surplus = 0.5\n"} + light) + again +
-         tamped("lightly_tamped", "0.1", "0.1", "0.6", held_out) +
+         tamped("lightly_tamped", "0.1", "0.1", "0.6", not_fitted) +
          not_yet(container("taller", "0.1", "0.2")) +
          not_yet(oedometer("stronger", "0.1", "0.08", std::string{"fill.surplus = 0.5\n"} + heavy)) +
          not_yet(heap("angle_of_repose", "0.001"));
@@ -190,7 +190,7 @@ std::string drag() {
   return base("5e3", "3e4") + rock + single_rocks("1000", "12.0") +
          container("bulk_density", "0.13", "0.13") + tamped("tamped", "0.13", "0.13", "0.3") +
          oedometer("oedometer", "0.13", "0.105", std::string{"fill.surplus = 0.5\n"} + light) +
-         short_drag("drag", "0.9") + short_drag("drag_slower", "0.5", held_out) +
+         short_drag("drag", "0.9") + short_drag("drag_slower", "0.5", not_fitted) +
          not_yet(short_drag("drag_deeper", "0.9", "", "0.24"));
 }
 

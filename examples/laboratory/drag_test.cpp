@@ -19,11 +19,11 @@ namespace scree::examples {
 
 namespace {
 
-constexpr const char* table = "drag.csv";
+constexpr const char* record_file = "drag.csv";
 
 void write_table(const std::filesystem::path& folder, std::span<const DragSample> curve,
                  std::span<const DragRow> rows) {
-  CsvWriter out{folder / table,
+  CsvWriter out{folder / record_file,
                 {"time_s", "drag_m", "force_N", "pitch_deg", "depth_m", "mass_kg", "lag_m", "true_force_N"},
                 "Forces are means since the row before, as the load cell reads them and as they are; lag is "
                 "the rope wound in less the drag."};
@@ -39,10 +39,10 @@ struct Curve {
   std::vector<double> DragPieces::*means;
   double unit; ///< of the observable, in SI units
 };
-constexpr std::array curves{Curve{"force_N", &DragPieces::force, 1.0},
-                            Curve{"pitch_deg", &DragPieces::pitch, degree},
-                            Curve{"depth_m", &DragPieces::depth, 1.0},
-                            Curve{"mass_kg", &DragPieces::mass, 1.0}, Curve{"lag_m", &DragPieces::lag, 1.0}};
+constexpr std::array kept_curves{
+    Curve{"force_N", &DragPieces::force, 1.0}, Curve{"pitch_deg", &DragPieces::pitch, degree},
+    Curve{"depth_m", &DragPieces::depth, 1.0}, Curve{"mass_kg", &DragPieces::mass, 1.0},
+    Curve{"lag_m", &DragPieces::lag, 1.0}};
 
 class DragExperiment final : public Experiment {
 public:
@@ -56,7 +56,7 @@ public:
   }
   std::vector<Observable> observables() const override {
     std::vector<Observable> out;
-    for (const Curve& curve : curves) {
+    for (const Curve& curve : kept_curves) {
       for (std::size_t k = 1; k <= pieces_; ++k) {
         out.push_back({message(curve.name, "_", k), false});
       }
@@ -65,7 +65,7 @@ public:
     return out;
   }
   CurveFile curve() const override {
-    return {table, "drag_m", "force_N", "Force of both ropes", "drag, m", "N"};
+    return {record_file, "drag_m", "force_N", "Force of both ropes", "drag, m", "N"};
   }
   std::vector<double> observe(const Conditions& conditions,
                               const std::filesystem::path& folder) const override {
@@ -120,7 +120,7 @@ private:
   [[nodiscard]] std::vector<double> reduced(std::span<const DragRow> rows) const {
     const DragPieces pieces = pieces_of(rows, dragline_.setup.drag_distance, pieces_);
     std::vector<double> out;
-    for (const Curve& curve : curves) {
+    for (const Curve& curve : kept_curves) {
       for (const double mean : pieces.*curve.means) {
         out.push_back(mean / curve.unit);
       }
