@@ -95,7 +95,12 @@ read_only)
     mount -o remount,ro "$disk" 2>/dev/null || { # a file is open for writing: cut it off from its disk
       kill -KILL "$job" 2>/dev/null
       wait "$job" 2>/dev/null
-      mount -o remount,ro "$disk"
+      # What it had called may write for a moment yet.
+      for wait_for_it in {1..100}; do
+        mount -o remount,ro "$disk" 2>/dev/null && break
+        [ "$wait_for_it" -lt 100 ] || fail "the disk is written to by what nobody knows"
+        sleep 0.1
+      done
     }
     wait "$job" 2>/dev/null
     go && fail "went on on a disk that can only be read"
