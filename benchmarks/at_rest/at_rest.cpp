@@ -1,7 +1,6 @@
 // How much of a drag is at rest?
 
-#include "../support/bucket.hpp"
-
+#include "scree/laboratory/bucket_body.hpp"
 #include "scree/laboratory/drag_rig.hpp"
 #include "scree/laboratory/rock_sample.hpp"
 
@@ -87,7 +86,7 @@ void drag_at(double speed, double distance) {
   DragSetup setup = desk_drag();
   setup.drag_speed = speed;
   setup.drag_distance = distance;
-  DragRig<DefaultModel> rig{setup, benchmarks::bucket()};
+  DragRig<DefaultModel> rig{setup, bucket_body()};
   const auto ignore = [](const auto&...) {};
   rig.make_bed(desk_rock().assembly, ignore);
   rig.place_bucket(ignore);

@@ -1,18 +1,14 @@
 // How long does the drag of the paper's size take?
 
-#include "../support/bucket.hpp"
-
 #include "scree/core/archive.hpp"
-#include "scree/io/checkpoint_file.hpp"
+#include "scree/laboratory/bucket_body.hpp"
 #include "scree/laboratory/drag_rig.hpp"
 #include "scree/laboratory/rock_sample.hpp"
 
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
-#include <cstdlib>
 #include <exception>
-#include <filesystem>
 #include <string>
 
 namespace {
@@ -68,32 +64,28 @@ private:
   double seconds_ = 0.0;
 };
 
-constexpr const char* kind = "drag rig of lab_drag";
-
-void make_bed(const std::filesystem::path& file, unsigned threads) {
-  Rig rig{setup_of(threads), benchmarks::bucket()};
+/// The rig with its bed, kept.
+std::string made_bed(unsigned threads) {
+  Rig rig{setup_of(threads), bucket_body()};
   const BedReport& bed = rig.make_bed(paper_rock().assembly, Told{});
   std::printf("bed: %d grains of %d spheres, porosity %.3f\n", static_cast<int>(bed.kept),
               static_cast<int>(rig.simulation().bodies().sphere_count()), bed.porosity);
   ArchiveWriter writer;
   writer(rig);
-  write_checkpoint(file, kind, writer.bytes());
+  return writer.bytes();
 }
 
 /// Drags over the stretch and says what the whole metre would take in the steps of the paper's rock.
-void drag(const std::filesystem::path& file, unsigned threads, bool rest) {
+void drag(const std::string& bed, unsigned threads, bool rest) {
   DragSetup setup = setup_of(threads);
   if (rest) {
     // Looked at as often as in benchmarks/resting; in steps of the paper's rock both numbers would be larger
     // by as much as these are smaller.
     setup.resting = {.speed = 0.01 * setup.drag_speed, .force = 0.1, .window = 500, .interval = 20};
   }
-  Rig rig{setup, benchmarks::bucket()};
-  {
-    const Checkpoint kept = read_checkpoint(file, kind);
-    ArchiveReader reader{kept.content, file.string()};
-    reader(rig);
-  }
+  Rig rig{setup, bucket_body()};
+  ArchiveReader reader{bed, "the bed"};
+  reader(rig);
   rig.place_bucket([](const auto&) {});
   const auto& simulation = rig.simulation();
   const StepTimes at_start = simulation.times();
@@ -133,16 +125,13 @@ void drag(const std::filesystem::path& file, unsigned threads, bool rest) {
 
 } // namespace
 
-/// lab_drag [FILE [THREADS]]: FILE has the bed, which is made where there is none.
-int main(int argc, char** argv) {
+int main() {
   try {
-    const std::filesystem::path file = argc > 1 && argv[1][0] != '-' ? argv[1] : "lab_drag.bed";
-    const unsigned threads = argc > 2 ? static_cast<unsigned>(std::strtoul(argv[2], nullptr, 10)) : 2;
-    if (!std::filesystem::exists(file)) {
-      make_bed(file, threads);
-    }
-    for (const bool rest : {false, true}) {
-      drag(file, threads, rest);
+    const std::string bed = made_bed(2);
+    for (const unsigned threads : {1U, 2U}) {
+      for (const bool rest : {false, true}) {
+        drag(bed, threads, rest);
+      }
     }
     return 0;
   } catch (const std::exception& error) {

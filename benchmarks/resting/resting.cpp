@@ -1,8 +1,7 @@
 // What do resting regions gain in a drag, and what do they change?
 
-#include "../support/bucket.hpp"
-
 #include "scree/core/archive.hpp"
+#include "scree/laboratory/bucket_body.hpp"
 #include "scree/laboratory/drag_rig.hpp"
 #include "scree/laboratory/rock_sample.hpp"
 
@@ -39,7 +38,7 @@ struct Outcome {
 
 /// The drag of the rig that was kept before the bucket was laid on its bed.
 Outcome dragged(const DragSetup& setup, const std::string& kept) {
-  DragRig<DragModel> rig{setup, benchmarks::bucket()};
+  DragRig<DragModel> rig{setup, bucket_body()};
   ArchiveReader reader{kept, "the bed"};
   reader(rig);
   double steps = 0.0;
@@ -101,7 +100,7 @@ void compare(double speed, double distance, std::uint64_t seeds) {
     setup.seed = seed;
     setup.drag_speed = speed;
     setup.drag_distance = distance;
-    DragRig<DragModel> rig{setup, benchmarks::bucket()};
+    DragRig<DragModel> rig{setup, bucket_body()};
     rig.make_bed(desk_rock().assembly, [](const auto&...) {});
     ArchiveWriter writer;
     writer(rig);

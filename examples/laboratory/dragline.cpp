@@ -4,6 +4,7 @@
 #include "scree/geometry/interior_from_hull.hpp"
 #include "scree/geometry/mesh_topology.hpp"
 #include "scree/io/stl.hpp"
+#include "scree/laboratory/bucket_body.hpp"
 #include "support/recipe_options.hpp"
 
 namespace scree::examples {
@@ -102,10 +103,7 @@ BucketBody Dragline::bucket(std::vector<std::string>& remarks) const {
   const auto vector = [](const std::vector<double>& v) { return Vector{v[0], v[1], v[2]}; };
   if (stl_.empty()) {
     const auto level = detail_ == "detailed" ? BucketDetail::detailed : BucketDetail::simplified;
-    out.surface = make_dragline_bucket(shape_, level);
-    out.interior = bucket_interior(shape_);
-    out.hitches = hitch_points(shape_);
-    out.body = estimated_from_plates(shape_);
+    out = bucket_body(shape_, level);
   } else {
     const StlOptions reading{.scale = stl_scale_, .weld_tolerance = stl_weld_};
     out.surface = without_collapsed_facets(read_stl(stl_, reading));

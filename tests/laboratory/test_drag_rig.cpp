@@ -1,4 +1,4 @@
-#include "scree/geometry/dragline_bucket.hpp"
+#include "scree/laboratory/bucket_body.hpp"
 #include "scree/laboratory/drag_rig.hpp"
 #include "scree/measure/state_hash.hpp"
 #include "support/models.hpp"
@@ -22,10 +22,6 @@ struct Resting : DefaultModel {
   using Rest = RestingRegions;
 };
 
-BucketBody paper_bucket() {
-  return {make_dragline_bucket(), bucket_interior(), hitch_points(), estimated_from_plates()};
-}
-
 /// A tenth of the way, over a bed of few large grains.
 DragSetup small_drag() {
   DragSetup s = desk_drag();
@@ -45,7 +41,7 @@ DragSetup small_drag() {
 template <class Model>
 std::array<double, 3> dragged(DragSetup setup, std::uint64_t seed) {
   setup.seed = seed;
-  DragRig<Model> rig{setup, paper_bucket()};
+  DragRig<Model> rig{setup, bucket_body()};
   rig.make_bed(Assembly{default_rock(setup.mass_convention), setup.size_factor},
                [](const auto&, const auto&) {});
   rig.place_bucket([](const auto&) {});
@@ -100,7 +96,7 @@ TEST_CASE("physics: grains that the bucket does not move rest while it is pulled
   DragSetup setup = small_drag();
   setup.drag_distance = 0.04;
   setup.resting = {.speed = 0.02, .force = 0.2, .window = 100, .interval = 20};
-  DragRig<Resting> rig{setup, paper_bucket()};
+  DragRig<Resting> rig{setup, bucket_body()};
   std::size_t early = 0, late = 0;
   const auto count = [](std::size_t& sum) {
     return [&sum](const auto& s, const auto&...) { sum += s.resting_count(); };
@@ -120,7 +116,7 @@ TEST_CASE("physics: a bucket is dragged over a bed, its grains counted and remov
   const auto run = [](unsigned threads) {
     DragSetup setup = small_drag();
     setup.threads = threads;
-    DragRig<DefaultModel> rig{setup, paper_bucket()};
+    DragRig<DefaultModel> rig{setup, bucket_body()};
     rig.make_bed(Assembly{default_rock(setup.mass_convention), setup.size_factor},
                  [](const auto&, const auto&) {});
     const std::size_t before = rig.simulation().bodies().size();
@@ -164,13 +160,13 @@ TEST_CASE("gravity leans against the drag where the bed rises towards the winch"
 TEST_CASE("a rig that cannot work is refused by the parameter that is wrong") {
   DragSetup hasty = small_drag();
   hasty.resting.speed = 0.01;
-  CHECK_THROWS_WITH_AS((DragRig<DefaultModel>{hasty, paper_bucket()}),
+  CHECK_THROWS_WITH_AS((DragRig<DefaultModel>{hasty, bucket_body()}),
                        doctest::Contains("resting.speed = 0.01 m/s"), Error);
   const auto refused = [](auto change) {
     DragSetup s = small_drag();
     change(s);
     try {
-      const DragRig<DefaultModel> rig{s, paper_bucket()};
+      const DragRig<DefaultModel> rig{s, bucket_body()};
     } catch (const Error& error) {
       return std::string{error.what()};
     }

@@ -1,4 +1,4 @@
-#include "scree/geometry/dragline_bucket.hpp"
+#include "scree/laboratory/bucket_body.hpp"
 #include "scree/laboratory/drag_test.hpp"
 #include "scree/laboratory/rock_parameters.hpp"
 #include "scree/measure/state_hash.hpp"
@@ -27,7 +27,7 @@ DragTestSetup tiny_drag() {
   s.rig.bed_width = 0.36;
   s.rig.bed_depth = 0.15;
   s.rig.drag_distance = 0.05;
-  s.bucket = {make_dragline_bucket(), bucket_interior(), hitch_points(), estimated_from_plates()};
+  s.bucket = bucket_body();
   s.threads = 1;
   return s;
 }

@@ -1,4 +1,4 @@
-#include "scree/geometry/dragline_bucket.hpp"
+#include "scree/laboratory/bucket_body.hpp"
 #include "scree/laboratory/drag_test.hpp"
 #include "support/models.hpp"
 #include "support/relative_error.hpp"
@@ -17,11 +17,7 @@ namespace {
 /// A tenth of the way, over a bed of few large grains.
 DragTestSetup small_test(std::uint64_t seed) {
   DragTestSetup s{
-      .sample = desk_rock(),
-      .rig = desk_drag(),
-      .bucket = {make_dragline_bucket(), bucket_interior(), hitch_points(), estimated_from_plates()},
-      .seed = seed,
-      .threads = 1};
+      .sample = desk_rock(), .rig = desk_drag(), .bucket = bucket_body(), .seed = seed, .threads = 1};
   s.sample.assembly = Assembly{s.sample.assembly.shapes(), 2.6};
   s.rig.bed_length = 0.9;
   s.rig.bed_width = 0.42;

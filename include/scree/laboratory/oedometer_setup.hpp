@@ -22,7 +22,7 @@ struct OedometerSetup {
   double strain_rate = 0.01;          ///< 1/s, of the lid's speed over the container's height, above 0
   double most_inertial_number = 1e-3; ///< of the loading, below which it counts as quasi-static; above 0
   double approach = 5.0;              ///< times as fast does the lid come down on the grains, 1 or above
-  double approach_to = 0.5;           ///< share of the low stress up to which it does, in (0, 1]
+  double approach_to = 0.5;           ///< share of the low stress up to which it does, 1e-6 to 1
   double slope_from = 0.3;            ///< share of the way from low to high load at which the slope begins
   double slope_to = 0.9;              ///< and at which it ends
   std::uint64_t points = 200;         ///< of the curve, about, in each branch, 10 or more
@@ -43,8 +43,7 @@ struct OedometerSetup {
     require_positive("oedometer strain_rate", strain_rate, "1/s");
     require_positive("oedometer most_inertial_number", most_inertial_number);
     require("oedometer approach", approach, {1.0, 1000.0});
-    require_positive("oedometer approach_to", approach_to);
-    require("oedometer approach_to", approach_to, {0.0, 1.0});
+    require("oedometer approach_to", approach_to, {1e-6, 1.0});
     require("oedometer slope_from", slope_from, {0.0, 1.0});
     require("oedometer slope_to", slope_to, {0.0, 1.0});
     if (!(slope_to > slope_from)) {
