@@ -80,6 +80,10 @@ TEST_CASE_TEMPLATE("a pack computes in each lane what the plain number does", Re
     check_lanes<Real>("sum in place", a, b, [](auto x, auto y) { return x += y; });
     check_lanes<Real>("difference in place", a, b, [](auto x, auto y) { return x -= y; });
     check_lanes<Real>("product in place", a, b, [](auto x, auto y) { return x *= y; });
+    check_lanes<Real>("multiply_add", a, b, [](auto x, auto y) { return multiply_add(x, y, x); });
+    check_lanes<Real>("multiply_subtract", a, b, [](auto x, auto y) { return multiply_subtract(x, y, x); });
+    check_lanes<Real>("negated_multiply_add", a, b,
+                      [](auto x, auto y) { return negated_multiply_add(x, y, x); });
     check_lanes<Real>("root", a, b, [](auto, auto y) { return square_root(y); });
     check_lanes<Real>("sine", a, b, [](auto x, auto) { return sine(x); });
     check_lanes<Real>("cosine", a, b, [](auto x, auto) { return cosine(x); });
@@ -87,6 +91,28 @@ TEST_CASE_TEMPLATE("a pack computes in each lane what the plain number does", Re
     check_lanes<Real>("select by <", a, b, [](auto x, auto y) { return select(x < y, x, y * y); });
     check_lanes<Real>("select by >", a, b, [](auto x, auto y) { return select(x > y, x, y * y); });
   }
+}
+
+TEST_CASE_TEMPLATE("products are added in one rounding where the machine can", T, double, float, Pack<double>,
+                   Pack<float>) {
+  using Real = typename Lanes<T>::Number;
+#if defined(__FMA__)
+  constexpr bool once = true;
+#else
+  constexpr bool once = false;
+#endif
+  // (1 + e)(1 - e) is 1 where it is rounded.
+  const Real e = std::numeric_limits<Real>::epsilon();
+  const T high(1 + e), low(1 - e), one(1);
+  const Real below = once ? e * e : Real(0);
+  const auto first = [](const T& value) {
+    std::array<Real, Lanes<T>::width> lanes{};
+    Lanes<T>::store(value, lanes.data());
+    return lanes.front();
+  };
+  CHECK(first(multiply_add(high, low, -one)) == -below);
+  CHECK(first(multiply_subtract(high, low, one)) == -below);
+  CHECK(first(negated_multiply_add(high, low, one)) == below);
 }
 
 TEST_CASE_TEMPLATE("any() sees each single lane", Real, double, float) {

@@ -168,6 +168,9 @@ TEST_CASE_TEMPLATE("a twin computes as its packs do", Real, double, float) {
   check("reciprocal", [](auto, auto y) { return reciprocal(y); });
   check("reciprocal root", [](auto, auto y) { return reciprocal_square_root(y); });
   check("larger", [](auto x, auto y) { return larger(x, y); });
+  check("multiply_add", [](auto x, auto y) { return multiply_add(x, y, y); });
+  check("multiply_subtract", [](auto x, auto y) { return multiply_subtract(x, y, y); });
+  check("negated_multiply_add", [](auto x, auto y) { return negated_multiply_add(x, y, y); });
   check("select", [](auto x, auto y) { return select(x > y && x < y * y, x, y); });
   const T x = Lanes<T>::loaded(a.data());
   CHECK(any(x > T(a[width - 1] - Real(0.5))));

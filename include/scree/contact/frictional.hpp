@@ -142,7 +142,7 @@ template <class T>
 [[gnu::always_inline]] inline Vec3<T> turned_with_contact(const Vec3<T>& spring, const Kinematics<T>& k) {
   const Vec3<T> once = cross(k.turn, spring);
   const Vec3<T> turned = (spring + once) + cross(k.turn * T(0.5), once);
-  return turned - k.normal * dot(turned, k.normal);
+  return negated_multiply_add(k.normal, dot(turned, k.normal), turned);
 }
 
 /// A contact law made of a normal model and any number of extensions.
@@ -234,10 +234,10 @@ public:
         NormalModel::evaluate(pair, k, spring, part<3, NormalModel::history_size>(history));
 
     const T normal_speed = dot(k.velocity, k.normal);
-    const Vec3<T> slip_velocity = k.velocity - k.normal * normal_speed;
+    const Vec3<T> slip_velocity = negated_multiply_add(k.normal, normal_speed, k.velocity);
     ContactForce<T> out;
     // Rock does not pull: where the dashpot would outweigh the spring, the contact is over.
-    const T pushing = larger(at.normal_force - at.normal_damping * normal_speed, T(0));
+    const T pushing = larger(negated_multiply_add(at.normal_damping, normal_speed, at.normal_force), T(0));
     out.normal = pushing;
     for_each_extension(std::span{history}, [&](const auto& extension, auto own_history) {
       if constexpr (ChangesNormalForce<std::decay_t<decltype(extension)>, T>) {
@@ -255,9 +255,8 @@ public:
     }
 
     const T limit = coefficient * larger(out.normal, T(0));
-    const Vec3<T> trial = spring - slip_velocity * (at.shear_stiffness * k.dt);
-    const Vec3<T> drag = slip_velocity * -at.shear_damping;
-    const Vec3<T> wanted = trial + drag;
+    const Vec3<T> trial = negated_multiply_add(slip_velocity, at.shear_stiffness * k.dt, spring);
+    const Vec3<T> wanted = negated_multiply_add(slip_velocity, at.shear_damping, trial);
     const T wanted2 = squared_norm(wanted);
     const auto sliding = wanted2 > limit * limit;
     Vec3<T> tangential = wanted, kept = trial;
@@ -277,8 +276,8 @@ public:
     // Of the tangential displacement, -(kept - spring)/k_s loads the spring and the rest slides.
     const T sliding_work = dot(tangential, trial - kept) * at.inverse_shear_stiffness;
     out.frictional_work += sliding_work + at.spring_loss;
-    out.viscous_work = (at.normal_force - pushing) * normal_speed * k.dt +
-                       dot(tangential - kept, kept - spring) * at.inverse_shear_stiffness;
+    out.viscous_work = multiply_add((at.normal_force - pushing) * normal_speed, k.dt,
+                                    dot(tangential - kept, kept - spring) * at.inverse_shear_stiffness);
     for_each_extension(std::span{history}, [&](const auto& extension, auto own_history) {
       if constexpr (FeelsSliding<std::decay_t<decltype(extension)>, T>) {
         extension.slid(pair, sliding_work, own_history);

@@ -65,10 +65,10 @@ struct HertzModel {
             normal,
             shear,
             select(sheared, T(1) / select(sheared, shear, T(1)), T(0)),
-            critical * pair.damping_ratio * square_root(normal * k.reduced_mass) +
-                pair.normal_damping_rate * k.reduced_mass,
-            critical * pair.shear_damping_ratio * square_root(shear * k.reduced_mass) +
-                pair.shear_damping_rate * k.reduced_mass,
+            multiply_add(pair.normal_damping_rate, k.reduced_mass,
+                         critical * pair.damping_ratio * square_root(normal * k.reduced_mass)),
+            multiply_add(pair.shear_damping_rate, k.reduced_mass,
+                         critical * pair.shear_damping_ratio * square_root(shear * k.reduced_mass)),
             spring_loss};
   }
 };

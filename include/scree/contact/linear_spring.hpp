@@ -33,12 +33,13 @@ struct LinearModel {
   template <class T>
   static SpringDashpot<T> evaluate(const PairMaterial<T>& pair, const Kinematics<T>& k, Vec3<T>&,
                                    std::span<T, 0>) {
-    return {pair.normal_stiffness * k.overlap,
-            pair.normal_stiffness,
-            pair.shear_stiffness,
-            pair.inverse_shear_stiffness,
-            pair.normal_damping_coefficient * k.root_mass + pair.normal_damping_rate * k.reduced_mass,
-            pair.shear_damping_coefficient * k.root_mass + pair.shear_damping_rate * k.reduced_mass};
+    return {
+        pair.normal_stiffness * k.overlap,
+        pair.normal_stiffness,
+        pair.shear_stiffness,
+        pair.inverse_shear_stiffness,
+        multiply_add(pair.normal_damping_rate, k.reduced_mass, pair.normal_damping_coefficient * k.root_mass),
+        multiply_add(pair.shear_damping_rate, k.reduced_mass, pair.shear_damping_coefficient * k.root_mass)};
   }
 };
 

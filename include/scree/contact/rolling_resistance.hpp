@@ -30,11 +30,11 @@ struct RollingResistance {
                  std::span<T, 3> history, T& frictional_work) const {
     const Vec3<T> old = turned_with_contact(Vec3<T>{history[0], history[1], history[2]}, k);
     const Vec3<T> spin = k.spin_i - k.spin_j;
-    const Vec3<T> rolling = spin - k.normal * dot(spin, k.normal);
+    const Vec3<T> rolling = negated_multiply_add(k.normal, dot(spin, k.normal), spin);
     const T reach = pair.rolling_friction * k.reduced_radius;
     const T stiffness = T(2.25) * normal_stiffness * reach * reach;
     const T limit = reach * larger(normal_force, T(0));
-    const Vec3<T> trial = old - rolling * (stiffness * k.dt);
+    const Vec3<T> trial = negated_multiply_add(rolling, stiffness * k.dt, old);
     const T size2 = squared_norm(trial);
     const auto over = size2 > limit * limit;
     Vec3<T> kept = trial;
@@ -52,7 +52,7 @@ struct RollingResistance {
     const T inertia = T(1.4) * k.reduced_mass * k.reduced_radius * k.reduced_radius;
     const T dashpot = select(over, T(0), T(2.0 * damping) * square_root(inertia * stiffness));
     frictional_work += dashpot * squared_norm(rolling) * k.dt;
-    return kept - rolling * dashpot;
+    return negated_multiply_add(rolling, dashpot, kept);
   }
 };
 

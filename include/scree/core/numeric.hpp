@@ -45,6 +45,32 @@ T power(T a, double exponent) {
   return static_cast<T>(std::pow(static_cast<double>(a), exponent));
 }
 
+/// a b + c, rounded once where the machine that the program is compiled for can do that (FMA).
+///
+/// Said in the source, as a compiler that fuses by itself chooses which product of a b + c d it does not
+/// round by the order in which it meets them, and that changes with what stands beside them: a law with an
+/// extension that is null would not be the base law to the bit.
+template <std::floating_point T>
+constexpr T multiply_add(T a, T b, T c) {
+#if defined(__FMA__)
+  return std::fma(a, b, c);
+#else
+  return a * b + c;
+#endif
+}
+
+/// a b - c, rounded like `multiply_add`.
+template <std::floating_point T>
+constexpr T multiply_subtract(T a, T b, T c) {
+  return multiply_add(a, b, -c);
+}
+
+/// c - a b, rounded like `multiply_add`.
+template <std::floating_point T>
+constexpr T negated_multiply_add(T a, T b, T c) {
+  return multiply_add(-a, b, c);
+}
+
 template <std::floating_point T>
 constexpr T reciprocal(T a) {
   return T{1} / a;

@@ -57,6 +57,12 @@ inline auto root_estimate(__m512d a) {
 inline auto root_estimate(__m512 a) {
   return _mm512_maskz_rsqrt14_ps(0xFFFF, a);
 }
+inline auto fused(__m512d a, __m512d b, __m512d c) {
+  return _mm512_fmadd_pd(a, b, c);
+}
+inline auto fused(__m512 a, __m512 b, __m512 c) {
+  return _mm512_fmadd_ps(a, b, c);
+}
 inline auto below(__m512d a, __m512d b) {
   return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ);
 }
@@ -91,6 +97,14 @@ inline auto roots(__m256d a) {
 inline auto roots(__m256 a) {
   return _mm256_sqrt_ps(a);
 }
+#if defined(__FMA__)
+inline auto fused(__m256d a, __m256d b, __m256d c) {
+  return _mm256_fmadd_pd(a, b, c);
+}
+inline auto fused(__m256 a, __m256 b, __m256 c) {
+  return _mm256_fmadd_ps(a, b, c);
+}
+#endif
 #elif defined(__SSE2__)
 inline constexpr std::size_t register_bytes = 16;
 inline auto roots(__m128d a) {
@@ -107,6 +121,12 @@ Register roots(Register a) {
     a[lane] = std::sqrt(a[lane]);
   }
   return a;
+}
+#endif
+#if !defined(__FMA__)
+template <class Register>
+Register fused(const Register& a, const Register& b, const Register& c) {
+  return a * b + c;
 }
 #endif
 template <class Register>
@@ -194,6 +214,15 @@ public:
     return Pack{detail::chosen(condition.lanes, yes.lanes_, no.lanes_)};
   }
   friend Pack larger(const Pack& a, const Pack& b) { return select(a > b, a, b); }
+  friend Pack multiply_add(const Pack& a, const Pack& b, const Pack& c) {
+    return Pack{detail::fused(a.lanes_, b.lanes_, c.lanes_)};
+  }
+  friend Pack multiply_subtract(const Pack& a, const Pack& b, const Pack& c) {
+    return multiply_add(a, b, -c);
+  }
+  friend Pack negated_multiply_add(const Pack& a, const Pack& b, const Pack& c) {
+    return multiply_add(-a, b, c);
+  }
   friend Pack square_root(const Pack& a) { return Pack{detail::roots(a.lanes_)}; }
   // One lane after the other: right, not fast.
   friend Pack sine(const Pack& a) {
@@ -206,7 +235,10 @@ public:
   friend Pack power(const Pack& a, double exponent) {
     if constexpr (std::is_same_v<Real, double>) {
       using Bits = typename detail::VectorOf<std::uint64_t, width>::type;
-      return Pack{detail::power_of<Bits>(a.lanes_, exponent)};
+      const auto fused = [](const Native& x, const Native& y, const Native& z) {
+        return detail::fused(x, y, z);
+      };
+      return Pack{detail::power_of<Bits>(a.lanes_, exponent, fused)};
     } else {
       using Half = Pack<double>;
       const auto half = [&](std::size_t first) {
@@ -219,7 +251,7 @@ public:
     if constexpr (detail::has_estimates) {
       Pack y{detail::reciprocal_estimate(a.lanes_)};
       for (int k = 0; k < newton_steps; ++k) {
-        y = y + y * (Pack(1) - a * y);
+        y = multiply_add(y, negated_multiply_add(a, y, Pack(1)), y);
       }
       return y;
     } else {
@@ -231,7 +263,7 @@ public:
       Pack y{detail::root_estimate(a.lanes_)};
       const Pack half = a * Pack(0.5);
       for (int k = 0; k < newton_steps; ++k) {
-        y = y + y * (Pack(0.5) - (half * y) * y);
+        y = multiply_add(y, negated_multiply_add(half * y, y, Pack(0.5)), y);
       }
       return y;
     } else {

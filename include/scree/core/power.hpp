@@ -12,9 +12,9 @@ namespace scree::detail {
 /// `a` to the power `exponent` in each lane of a vector of double, `a` 0 or above: exp(exponent log a), right
 /// to (4 + |exponent log a|) 2e-16 of it while it is within 1e-300 and 1e300, and stopped there. What is not
 /// a number stays so. 0 to the power 0 is 1, and 1 to any power is. \tparam Bits a vector of as many
-/// std::uint64_t
-template <class Bits, class Doubles>
-Doubles power_of(const Doubles& a, double exponent) {
+/// std::uint64_t \param fused multiply_add(a, b, c) of such vectors
+template <class Bits, class Doubles, class Fused>
+Doubles power_of(const Doubles& a, double exponent, const Fused& fused) {
   constexpr double two_52 = 4503599627370496.0;
   constexpr auto bits_of_two_52 = std::bit_cast<std::uint64_t>(two_52);
   constexpr auto bits_of_one = std::bit_cast<std::uint64_t>(1.0);
@@ -34,9 +34,9 @@ Doubles power_of(const Doubles& a, double exponent) {
   const Doubles s = (m - 1.0) / (m + 1.0), s2 = s * s;
   Doubles series = zero + 2.0 / 21.0;
   for (double n = 19.0; n >= 3.0; n -= 2.0) {
-    series = series * s2 + 2.0 / n;
+    series = fused(series, s2, zero + 2.0 / n);
   }
-  const Doubles log = e * ln2_high + (s * 2.0 + (s * s2 * series + e * ln2_low));
+  const Doubles log = e * ln2_high + (s * 2.0 + fused(e, zero + ln2_low, s * s2 * series));
 
   constexpr double most = 690.0;
   Doubles y = log * exponent;
@@ -44,14 +44,14 @@ Doubles power_of(const Doubles& a, double exponent) {
   y = y > zero - most ? y : zero - most;
   // y = k ln 2 + r; adding 1.5 2^52 rounds to a whole number, whose last bits are then k.
   constexpr double rounder = 1.5 * two_52;
-  const Doubles shifted = y * 1.4426950408889634 + rounder;
+  const Doubles shifted = fused(y, zero + 1.4426950408889634, zero + rounder);
   const Doubles k = shifted - rounder;
-  const Doubles r = (y - k * ln2_high) - k * ln2_low;
+  const Doubles r = fused(-k, zero + ln2_low, y - k * ln2_high);
   Doubles exp = zero + 1.0 / 6227020800.0; // 13!
   double factorial = 6227020800.0;
   for (double n = 13.0; n >= 1.0; n -= 1.0) {
     factorial /= n;
-    exp = exp * r + 1.0 / factorial;
+    exp = fused(exp, r, zero + 1.0 / factorial);
   }
   exp = std::bit_cast<Doubles>(std::bit_cast<Bits>(exp) + (std::bit_cast<Bits>(shifted) << 52U));
 

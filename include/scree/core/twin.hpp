@@ -46,6 +46,15 @@ public:
     return {select(m.a, yes.a, no.a), select(m.b, yes.b, no.b)};
   }
   friend Twin larger(const Twin& x, const Twin& y) { return {larger(x.a, y.a), larger(x.b, y.b)}; }
+  friend Twin multiply_add(const Twin& x, const Twin& y, const Twin& z) {
+    return {multiply_add(x.a, y.a, z.a), multiply_add(x.b, y.b, z.b)};
+  }
+  friend Twin multiply_subtract(const Twin& x, const Twin& y, const Twin& z) {
+    return {multiply_subtract(x.a, y.a, z.a), multiply_subtract(x.b, y.b, z.b)};
+  }
+  friend Twin negated_multiply_add(const Twin& x, const Twin& y, const Twin& z) {
+    return {negated_multiply_add(x.a, y.a, z.a), negated_multiply_add(x.b, y.b, z.b)};
+  }
   friend Twin square_root(const Twin& x) { return {square_root(x.a), square_root(x.b)}; }
   friend Twin power(const Twin& x, double exponent) { return {power(x.a, exponent), power(x.b, exponent)}; }
   friend Twin reciprocal(const Twin& x) { return {reciprocal(x.a), reciprocal(x.b)}; }

@@ -5,6 +5,8 @@
 /// The contact kernels are written once over a number type that may be `float`, `double` or a SIMD pack, so
 /// they use this plain aggregate. Everything that is not in the time-step loop uses Eigen (core/linear.hpp).
 
+#include "scree/core/numeric.hpp"
+
 #include <cmath>
 
 namespace scree {
@@ -32,12 +34,26 @@ struct Vec3 {
 
 template <class T>
 constexpr T dot(const Vec3<T>& a, const Vec3<T>& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
+  return multiply_add(a.z, b.z, multiply_add(a.y, b.y, a.x * b.x));
 }
 
 template <class T>
 constexpr Vec3<T> cross(const Vec3<T>& a, const Vec3<T>& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+  return {negated_multiply_add(a.z, b.y, a.y * b.z), negated_multiply_add(a.x, b.z, a.z * b.x),
+          negated_multiply_add(a.y, b.x, a.x * b.y)};
+}
+
+/// v s + c, each component rounded like that of a number.
+template <class T>
+constexpr Vec3<T> multiply_add(const Vec3<T>& v, const T& s, const Vec3<T>& c) {
+  return {multiply_add(v.x, s, c.x), multiply_add(v.y, s, c.y), multiply_add(v.z, s, c.z)};
+}
+
+/// c - v s, likewise.
+template <class T>
+constexpr Vec3<T> negated_multiply_add(const Vec3<T>& v, const T& s, const Vec3<T>& c) {
+  return {negated_multiply_add(v.x, s, c.x), negated_multiply_add(v.y, s, c.y),
+          negated_multiply_add(v.z, s, c.z)};
 }
 
 template <class T>

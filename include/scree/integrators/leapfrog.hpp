@@ -15,8 +15,8 @@ struct Leapfrog {
   template <class T>
   static void translate(Vec3<T>& position, Vec3<T>& velocity, const Vec3<T>& acceleration,
                         const TimeStep& step) {
-    velocity += acceleration * T(step.kick);
-    position += velocity * T(step.dt);
+    velocity = multiply_add(acceleration, T(step.kick), velocity);
+    position = multiply_add(velocity, T(step.dt), position);
   }
 
   template <class T>

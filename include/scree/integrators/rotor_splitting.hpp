@@ -16,21 +16,22 @@ struct RotorSplitting : Leapfrog {
   static void rotate(Quat<T>& orientation, Vec3<T>& angular_velocity, const Vec3<T>& moment,
                      const Vec3<T>& inertia, const TimeStep& step) {
     const T kick(step.kick);
-    Vec3<T> l{inertia.x * angular_velocity.x + kick * moment.x,
-              inertia.y * angular_velocity.y + kick * moment.y,
-              inertia.z * angular_velocity.z + kick * moment.z};
+    Vec3<T> l{multiply_add(kick, moment.x, inertia.x * angular_velocity.x),
+              multiply_add(kick, moment.y, inertia.y * angular_velocity.y),
+              multiply_add(kick, moment.z, inertia.z * angular_velocity.z)};
     Quat<T> turns;
     // About one axis at the rate of the momentum there, which takes the other two round.
     const auto turn = [&](T Quat<T>::*axis, const T& along, const T& moment_there, T& second, T& third,
                           double share) {
       const T half = T(0.5 * share * step.dt) * along / moment_there;
-      const T c = cosine(half), s = sine(half), cos_full = c * c - s * s, sin_full = T(2) * c * s;
+      const T c = cosine(half), s = sine(half), cos_full = negated_multiply_add(s, s, c * c),
+              sin_full = T(2) * c * s;
       Quat<T> by{T(0), T(0), T(0), c};
       by.*axis = s;
       turns = turns * by;
       const T before = second;
-      second = cos_full * second + sin_full * third;
-      third = cos_full * third - sin_full * before;
+      second = multiply_add(sin_full, third, cos_full * second);
+      third = negated_multiply_add(sin_full, before, cos_full * third);
     };
     turn(&Quat<T>::x, l.x, inertia.x, l.y, l.z, 0.5);
     turn(&Quat<T>::y, l.y, inertia.y, l.z, l.x, 0.5);

@@ -159,14 +159,14 @@ private:
     const auto inverse_mass = static_cast<double>(sphere.inverse_mass);
     Vec3<double> velocity = sphere.velocity.template as<double>();
     Vec3<double> spin = sphere.angular_velocity.template as<double>();
-    Vec3<double> force = load.force.template as<double>() + gravity_ * (1.0 / inverse_mass);
+    Vec3<double> force = multiply_add(gravity_, 1.0 / inverse_mass, load.force.template as<double>());
     Vec3<double> torque = load.torque.template as<double>();
     if (lone_damping_.on()) {
       lone_damping_.damp(force, velocity);
       lone_damping_.damp(torque, spin);
       damped_ += lone_damping_.taken();
     }
-    spin += torque * (2.5 * inverse_mass / (sphere.radius * sphere.radius) * step_.kick);
+    spin = multiply_add(torque, 2.5 * inverse_mass / (sphere.radius * sphere.radius) * step_.kick, spin);
     Integrator::translate(sphere.position, velocity, force * inverse_mass, step_);
     sphere.velocity = velocity.template as<Real>();
     sphere.angular_velocity = spin.template as<Real>();
@@ -189,7 +189,7 @@ private:
     const T mass = moving[3];
 
     auto [force, torque] = load(batch, position);
-    force += Vec3<T>{T(gravity_.x), T(gravity_.y), T(gravity_.z)} * mass;
+    force = multiply_add(Vec3<T>{T(gravity_.x), T(gravity_.y), T(gravity_.z)}, mass, force);
     const Axes<T> before = axes_of(orientation);
     if (damping_.on()) {
       damping_.damp(force, velocity);

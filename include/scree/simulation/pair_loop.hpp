@@ -140,9 +140,10 @@ private:
     }
     const Vec3<T> tangential{kept(f.tangential.x), kept(f.tangential.y), kept(f.tangential.z)};
     const Vec3<T> couple{kept(f.couple.x), kept(f.couple.y), kept(f.couple.z)};
-    const Vec3<T> force = normal * kept(f.normal) + tangential;
+    const Vec3<T> force = multiply_add(normal, kept(f.normal), tangential);
     const Vec3<T> turn = cross(normal, tangential);
-    const Vec3<T> on_i = couple - turn * touch.arm_i, on_j = couple + turn * touch.arm_j;
+    const Vec3<T> on_i = negated_multiply_add(turn, touch.arm_i, couple),
+                  on_j = multiply_add(turn, touch.arm_j, couple);
     const T pressed = larger(kept(f.normal), -kept(f.normal));
     const Loads loads_i{{force.x, force.y, force.z, pressed}, {on_i.x, on_i.y, on_i.z, T(0)}};
     // To be taken from the second sphere.
@@ -215,7 +216,8 @@ private:
         apart -= shift<Number>(packs, p * width + first);
       }
       const Number reach = Lanes<Number>::loaded(&pack.reach[first]), distance2 = squared_norm(apart);
-      return {apart.x, apart.y, apart.z, distance2, reach * reach - distance2, reach, between[3]};
+      return {apart.x, apart.y,   apart.z, distance2, multiply_subtract(reach, reach, distance2),
+              reach,   between[3]};
     }
   }
 

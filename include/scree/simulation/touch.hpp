@@ -48,13 +48,14 @@ template <class T>
   k.spin_j = s.spin_j;
   const Vec3<T> spins = s.spin_i + s.spin_j;
   // spin_i arm_i + spin_j arm_j
-  const Vec3<T> rim = (s.spin_i - s.spin_j) * (T(0.5) * s.difference) + spins * (T(0.5) * distance);
+  const Vec3<T> rim = multiply_add(spins, T(0.5) * distance, (s.spin_i - s.spin_j) * (T(0.5) * s.difference));
   // Velocities stand half a step behind, so the arms are those of half a step ago: with the present ones, a
   // pair that turns as one body would seem to slip.
-  const Vec3<T> past_normal = (s.apart - s.velocity * (T(0.5) * dt)) * inverse;
+  const Vec3<T> past_normal = negated_multiply_add(s.velocity, T(0.5) * dt, s.apart) * inverse;
   k.velocity = s.velocity - cross(rim, past_normal);
   // The normal tilts as the centres pass each other; about it the contact turns with the mean spin.
-  k.turn = (cross(s.apart, s.velocity) + s.apart * (T(0.5) * dot(spins, s.apart))) * (inverse_square * dt);
+  k.turn =
+      multiply_add(s.apart, T(0.5) * dot(spins, s.apart), cross(s.apart, s.velocity)) * (inverse_square * dt);
   k.reduced_radius = T(0.25) * (s.reach - s.difference * s.difference / s.reach);
   k.root_mass = s.root_mass;
   k.reduced_mass = k.root_mass * k.root_mass;

@@ -46,18 +46,19 @@ struct WallTouch {
 template <class T>
 [[gnu::always_inline]] inline Vec3<T> slip_velocity(const WallTouch<T>& c, const T& dt) {
   const auto at = [&](const Vec3<T>& n, const Vec3<T>& lever) {
-    return c.between - cross(c.spin, n) * c.arm - cross(c.wall_spin, lever - n * c.arm);
+    const Vec3<T> of_grain = negated_multiply_add(cross(c.spin, n), c.arm, c.between);
+    return of_grain - cross(c.wall_spin, negated_multiply_add(n, c.arm, lever));
   };
   const Vec3<T> now = at(c.normal, c.lever);
   if (!any(squared_norm(c.tilt) + squared_norm(c.wall_spin) > T(0))) {
     return now;
   }
   const auto along = [](const Vec3<T>& velocity, const Vec3<T>& n) {
-    return velocity - n * dot(n, velocity);
+    return negated_multiply_add(n, dot(n, velocity), velocity);
   };
   const Vec3<T> past_normal = c.normal - cross(c.tilt, c.normal);
-  const Vec3<T> before = along(at(past_normal, c.lever - c.between * dt), past_normal);
-  return now + (before + cross(c.tilt, before) - along(now, c.normal)) * T(0.5);
+  const Vec3<T> before = along(at(past_normal, negated_multiply_add(c.between, dt, c.lever)), past_normal);
+  return multiply_add(before + cross(c.tilt, before) - along(now, c.normal), T(0.5), now);
 }
 
 /// The forces of the walls on the spheres of a block. T is a plain number or a pack; forces are added in the
@@ -216,7 +217,7 @@ private:
     k.velocity = slip_velocity(touch, T(dt_));
     k.spin_i = touch.spin;
     k.spin_j = touch.wall_spin;
-    k.turn = touch.tilt + k.normal * (T(0.5) * dot(k.spin_i + k.spin_j, k.normal) * T(dt_));
+    k.turn = multiply_add(k.normal, T(0.5) * dot(k.spin_i + k.spin_j, k.normal) * T(dt_), touch.tilt);
     k.reduced_radius = each([&](std::size_t n) { return sphere(n).radius; });
     k.reduced_mass = each([&](std::size_t n) {
       return 1.0 / (static_cast<double>(sphere(n).inverse_mass) + in_step_[contact(n).wall].inverse_mass);
@@ -228,8 +229,8 @@ private:
       history[h] = each([&](std::size_t n) { return contact(n).history[h]; });
     }
     const ContactForce<T> f = law_.evaluate(materials(each, material, first, count), k, history);
-    const Vec3<T> force = k.normal * f.normal + f.tangential;
-    const Vec3<T> torque = f.couple - cross(k.normal, f.tangential) * touch.arm;
+    const Vec3<T> force = multiply_add(k.normal, f.normal, f.tangential);
+    const Vec3<T> torque = negated_multiply_add(cross(k.normal, f.tangential), touch.arm, f.couple);
 
     const auto forces_of = stored(force), torques = stored(torque), couples = stored(f.couple);
     std::array<Real, width> pressed;

@@ -21,7 +21,7 @@ struct Placed {
 template <class T>
 Placed<T> placed(const Vec3<T>& offset, const Axes<T>& axes, const Vec3<T>& w, double dt) {
   const Vec3<T> arm = axes.to_space(offset);
-  return {arm, cross(w, arm - cross(w, arm) * T(0.5 * dt))};
+  return {arm, cross(w, negated_multiply_add(cross(w, arm), T(0.5 * dt), arm))};
 }
 
 } // namespace scree

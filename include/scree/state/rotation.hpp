@@ -14,9 +14,11 @@ template <class T>
 Quat<T> turned(const Quat<T>& q, const Vec3<T>& w, double dt) {
   const T half2 = T(0.25 * dt * dt) * squared_norm(w);
   // The series of cos and sin / angle, to rounding where a step turns the body by little: it mostly does.
+  const auto one_less = [](const T& a, const T& b) { return negated_multiply_add(a, b, T(1)); };
   T cosine_half =
-      T(1) - half2 * T(1.0 / 2.0) * (T(1) - half2 * T(1.0 / 12.0) * (T(1) - half2 * T(1.0 / 30.0)));
-  T sinc_half = T(1) - half2 * T(1.0 / 6.0) * (T(1) - half2 * T(1.0 / 20.0) * (T(1) - half2 * T(1.0 / 42.0)));
+      one_less(half2 * T(1.0 / 2.0), one_less(half2 * T(1.0 / 12.0), one_less(half2, T(1.0 / 30.0))));
+  T sinc_half =
+      one_less(half2 * T(1.0 / 6.0), one_less(half2 * T(1.0 / 20.0), one_less(half2, T(1.0 / 42.0))));
   const auto far = half2 > T(4e-4);
   if (any(far)) {
     const T half = square_root(half2);
@@ -26,7 +28,7 @@ Quat<T> turned(const Quat<T>& q, const Vec3<T>& w, double dt) {
   const Vec3<T> v = w * (T(0.5 * dt) * sinc_half);
   const Quat<T> next = q * Quat<T>{v.x, v.y, v.z, cosine_half};
   // The product of unit quaternions drifts from unit length by rounding only.
-  return next * (T(1.5) - T(0.5) * squared_norm(next));
+  return next * negated_multiply_add(T(0.5), squared_norm(next), T(1.5));
 }
 
 /// Moment of a rotating body's own inertia in the principal frame, Euler's equations (the paper's Eq. (6),
@@ -43,16 +45,17 @@ Vec3<T> gyroscopic_moment(const Vec3<T>& inertia, const Vec3<T>& w) {
 template <class T>
 Vec3<T> kicked(const Vec3<T>& w, const Vec3<T>& moment, const Vec3<T>& inertia, double dt) {
   const Vec3<T> factor{T(dt) / inertia.x, T(dt) / inertia.y, T(dt) / inertia.z};
-  const auto scaled = [&](const Vec3<T>& m) {
-    return Vec3<T>{factor.x * m.x, factor.y * m.y, factor.z * m.z};
+  const auto kick = [&](const Vec3<T>& m, const Vec3<T>& from) {
+    return Vec3<T>{multiply_add(factor.x, m.x, from.x), multiply_add(factor.y, m.y, from.y),
+                   multiply_add(factor.z, m.z, from.z)};
   };
-  const Vec3<T> pushed = w + scaled(moment);
-  Vec3<T> next = pushed + scaled(gyroscopic_moment(inertia, w));
+  const Vec3<T> pushed = kick(moment, w);
+  Vec3<T> next = kick(gyroscopic_moment(inertia, w), pushed);
   // Each lane ends where it would alone.
   auto open = T(0) < T(1);
   constexpr int most_iterations = 12;
   for (int iteration = 0; iteration < most_iterations && any(open); ++iteration) {
-    const Vec3<T> better = pushed + scaled(gyroscopic_moment(inertia, (w + next) * T(0.5)));
+    const Vec3<T> better = kick(gyroscopic_moment(inertia, (w + next) * T(0.5)), pushed);
     const T change2 = squared_norm(better - next);
     next = {select(open, better.x, next.x), select(open, better.y, next.y), select(open, better.z, next.z)};
     open = open && change2 > T(1e-31) * squared_norm(next);
