@@ -23,6 +23,7 @@ struct Range {
   std::string_view parameter{};
   double least = 0.0, most = 0.0; ///< times the null value where `times_null`
   bool times_null = false;
+  std::size_t shapes = 1; ///< that the rock must have, for the parameter to mean something
 };
 /// Ranges are what rock and rigs have; all are ours.
 struct Entry {
@@ -58,10 +59,11 @@ constexpr std::array entries{
           "FillRecipe::packing_friction",
           "immersion; bulk_density at another packing_friction"},
     Entry{"particle_density", {Range{"particle_density", 0.7, 1.4, true}}, "Material::density", "immersion"},
-    Entry{"shape_fraction",
-          {Range{"first_shape_share", 0.02, 0.95}},
-          "ShapeFraction::fraction of the first shape",
-          "bulk_density at another packing_friction"},
+    Entry{
+        "shape_fraction",
+        {Range{"first_shape_share", 0.02, 0.95, false, 2}, Range{"second_shape_share", 0.0, 0.95, false, 3}},
+        "ShapeFraction::fraction of the first and second shapes",
+        "bulk_density at another packing_friction"},
     Entry{"size_scale",
           {Range{"size_factor", 0.7, 1.5, true}},
           "Assembly(shapes, size_factor)",
@@ -130,7 +132,8 @@ std::vector<Cause> catalogue(const ex::Plan& plan, const std::string& only) {
     for (const Range& range : e.ranges) {
       const bool looked_for = std::any_of(plan.space.begin(), plan.space.end(),
                                           [&](const Parameter& p) { return p.name == range.parameter; });
-      if (range.parameter.empty() || looked_for) {
+      if (range.parameter.empty() || looked_for ||
+          plan.model.sample.assembly.shapes().size() < range.shapes) {
         continue;
       }
       const RockParameter& parameter = rock_parameter(range.parameter);

@@ -72,9 +72,17 @@ Diagnosed Diagnosing::operator()() {
     const std::size_t count = std::min<std::size_t>(request_.runs - log.asked(), 12);
     log.make(around(so_far.of_interest(4), space_.null(), count, random), batch, random);
   }
-  trials_.close();
-  auto judge = std::make_unique<Diagnostician>(space_, fitted, held_out, log.runs(), request_.setup);
+  const auto judge_all = [&] {
+    return std::make_unique<Diagnostician>(space_, fitted, held_out, log.runs(), request_.setup);
+  };
+  auto judge = judge_all();
   Diagnosis diagnosis = (*judge)();
+  if (request_.second_look > 0 && refused_by_held_out(diagnosis)) {
+    log.make(around(judge->of_interest(1), space_.null(), request_.second_look, random), batch, random);
+    judge = judge_all();
+    diagnosis = (*judge)();
+  }
+  trials_.close();
   return {space_,         std::move(fitted), std::move(held_out),
           std::move(log), std::move(judge),  std::move(diagnosis)};
 }

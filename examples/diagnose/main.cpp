@@ -53,6 +53,9 @@ void bind(ex::Options& options, Wish& w) {
   options.add("first_runs", w.request.first_runs, {20.0, 1e6},
               "of these, spread over all causes; the others go where "
               "the likeliest causes are");
+  options.add(
+      "second_look", w.request.second_look, {0.0, 1e6},
+      "of all experiments beyond --runs, only where held-out data would refuse what explains the others");
   options.add("active", w.request.active, {1.0, 100.0}, "causes at work in each of the first runs");
   options.add("fit_seed", w.request.fit_seed, {0.0, 9e15}, "of these runs");
   options.add("false_alarms", w.request.setup.false_alarms, {1e-3, 0.5},

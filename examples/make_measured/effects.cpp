@@ -47,8 +47,10 @@ constexpr std::array known{
     Known{"damping", {Size{"local_damping", 0.0, 0.999, 0.25, 0.5}}, "", "local"},
     Known{"initial_packing", {Size{"packing_friction", 1e-3, 1e3, 0.2, 0.5}}},
     Known{"particle_density", {Size{"particle_density", 1.0, 2e4, 1.1, 1.3, true}}},
-    Known{"shape_fraction", {Size{"first_shape_share", 0.0, 1.0, 0.6, 0.9}}},
-    Known{"shape_fraction", {Size{"second_shape_share", 0.0, 1.0, 0.5, 0.8}}, "", "second_shape"},
+    // The first is the share before the second takes its own.
+    Known{"shape_fraction",
+          {Size{"first_shape_share", 0.0, 1.0, 0.6, 0.9}, Size{"second_shape_share", 0.0, 1.0, 0.0, 0.3}}},
+    Known{"shape_fraction", {Size{"third_shape_share", 0.0, 1.0, 0.5, 0.8}}, "", "third_shape"},
     Known{"size_scale", {Size{"size_factor", 0.05, 50.0, 1.15, 1.35, true}}},
     Known{"rate_friction", {Size{"friction_rate", -1e3, 1e3, 0.5, 2.0}}},
     Known{"attrition", {Size{"attrition", 0.0, 1e9, 30.0, 200.0}}},

@@ -54,11 +54,14 @@ TEST_CASE("effects are read with values in their units or drawn from the seed, a
 
   for (const Cause& cause : diagnose::catalogue(plan, "")) {
     CAPTURE(cause.name);
-    const auto effect = make_measured::effects_in(cause.name + "=auto", plan, random).front();
-    CHECK(effect.parameter.name == cause.parameters.front().name);
-    CHECK(effect.value != doctest::Approx(cause.null.front()).epsilon(0.05));
-    CHECK(effect.value > cause.parameters.front().least);
-    CHECK(effect.value < cause.parameters.front().most);
+    const auto effects = make_measured::effects_in(cause.name + "=auto", plan, random);
+    REQUIRE(effects.size() == cause.parameters.size());
+    CHECK(effects.front().value != doctest::Approx(cause.null.front()).epsilon(0.05));
+    for (std::size_t k = 0; k < effects.size(); ++k) {
+      CHECK(effects[k].parameter.name == cause.parameters[k].name);
+      CHECK(effects[k].value > cause.parameters[k].least);
+      CHECK(effects[k].value < cause.parameters[k].most);
+    }
   }
 }
 
@@ -115,15 +118,17 @@ TEST_CASE("effects that make no sense are refused") {
 TEST_CASE("effects in another form are of the same cause, with parameters that no cause has") {
   const examples::Plan plan = mini();
   const auto causes = diagnose::catalogue(plan, "");
-  for (const char* form : {"rolling_resistance:dashpot", "damping:local", "shape_fraction:second_shape"}) {
+  for (const char* form : {"rolling_resistance:dashpot", "damping:local", "shape_fraction:third_shape"}) {
     CAPTURE(form);
     Random random{1};
     const auto effects = make_measured::effects_in(std::string{form} + "=auto", plan, random);
     const make_measured::Effect& last = effects.back(); // what makes the form another
     CHECK(last.name + ":" + last.form == form);
     CHECK(std::any_of(causes.begin(), causes.end(), [&](const Cause& c) { return c.name == last.name; }));
-    CHECK(std::none_of(causes.begin(), causes.end(),
-                       [&](const Cause& c) { return c.parameters.front().name == last.parameter.name; }));
+    CHECK(std::none_of(causes.begin(), causes.end(), [&](const Cause& c) {
+      return std::any_of(c.parameters.begin(), c.parameters.end(),
+                         [&](const Parameter& p) { return p.name == last.parameter.name; });
+    }));
     RockModel model = plan.model;
     const RockParameter& parameter = rock_parameter(last.parameter.name);
     CHECK(parameter.get(model) != doctest::Approx(last.value));
@@ -181,6 +186,23 @@ TEST_CASE("the catalogue has the null values of the plan's rock, and leaves out 
     CHECK_FALSE(null.extended());
   }
   CHECK(diagnose::catalogue(plan, "damping,adhesion").size() == 2);
+
+  // Of two shapes, one share says all; of one shape there is none.
+  const auto of_shapes = [&](std::size_t count) {
+    examples::Plan few = mini();
+    std::vector<ShapeFraction> shapes = plan.model.sample.assembly.shapes();
+    shapes.erase(shapes.begin() + static_cast<std::ptrdiff_t>(count), shapes.end());
+    for (ShapeFraction& shape : shapes) {
+      shape.fraction = 1.0 / static_cast<double>(count);
+    }
+    few.model.sample.assembly = Assembly{std::move(shapes)};
+    const auto causes_of_shape = diagnose::catalogue(few, "shape_fraction");
+    return causes_of_shape.empty() ? 0 : causes_of_shape.front().parameters.size();
+  };
+  CHECK(of_shapes(4) == 2);
+  CHECK(of_shapes(3) == 2);
+  CHECK(of_shapes(2) == 1);
+  CHECK(of_shapes(1) == 0);
   CHECK_THROWS_WITH_AS(diagnose::catalogue(plan, "damping,wind"), doctest::Contains("there is no 'wind'"),
                        Error);
 }

@@ -24,7 +24,7 @@ inline constexpr std::array effects{"rolling_resistance", "normal_law", "normal_
 
 /// Other forms of them, which a third of their sets have: the diagnosis knows the cause, but not so.
 inline constexpr std::array other_forms{"rolling_resistance:dashpot", "damping:local",
-                                        "shape_fraction:second_shape"};
+                                        "shape_fraction:third_shape"};
 
 /// Pairs of them that do not speak through the same observables only.
 inline constexpr std::array pairs{

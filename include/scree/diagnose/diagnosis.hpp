@@ -39,6 +39,8 @@ struct DiagnosisSetup {
   double kept_odds = 30.0;         ///< within which hypotheses remain in what is returned
   double odds_against_pair = 30.0; ///< by which two causes are less likely beforehand than one
   double confidence = 0.9;         ///< of all intervals
+  /// Share by which the trace of a cause in each observable may be off, as its form is not known better.
+  double form_tolerance = 0.1;
   double least_power = 0.5;      ///< with which half-way effects must be seen for "no discrepancy" to mean it
   std::size_t draws = 400;       ///< of each bootstrap
   std::size_t pair_partners = 4; ///< causes that are tried together with all others
@@ -52,6 +54,7 @@ struct DiagnosisSetup {
     require("diagnosis kept_odds", kept_odds, {clear_odds, 1e12});
     require("diagnosis odds_against_pair", odds_against_pair, {1.0, 1e12});
     require("diagnosis confidence", confidence, {0.01, 0.999});
+    require("diagnosis form_tolerance", form_tolerance, {0.0, 1.0});
     require("diagnosis least_power", least_power, {0.0, 1.0});
     require("diagnosis draws", static_cast<double>(draws), {20.0, 1e6});
   }
@@ -90,6 +93,11 @@ struct Diagnosis {
   ScatterPrior scatter;      ///< how far simulated scatter told the measured one
   std::string reason;        ///< of the verdict, in a sentence
 };
+
+/// Whether something explains what was fitted, but not what was held out.
+inline bool refused_by_held_out(const Diagnosis& diagnosis) {
+  return diagnosis.finding == Finding::unexplained && diagnosis.held_out.has_value();
+}
 
 /// Judges from runs that were made; makes none itself.
 class Diagnostician {
@@ -206,7 +214,8 @@ private:
     add(std::move(causes), suitable);
   }
   void add(std::vector<std::size_t> causes, const Hypothesis::Suitable& suitable) {
-    hypotheses_.emplace_back(space_, std::move(causes), measured_, response_, suitable);
+    hypotheses_.emplace_back(space_, std::move(causes), measured_, response_, suitable,
+                             setup_.form_tolerance);
     seen_.push_back(court_.judge(hypotheses_.back(), noise_.readings()));
   }
   [[nodiscard]] const Eigen::VectorXd& base_point() const { return hypotheses_[0].points()[0].local.base; }
@@ -250,7 +259,7 @@ private:
     std::vector<Pair> pairs;
     for (std::vector<std::size_t>& causes : pairs_of_interest()) {
       auto suitable = Hypothesis::most_suitable(space_, causes, measured_, response_, base_point());
-      const LocalModel best = Hypothesis::local_at(suitable.at, response_, space_.base());
+      const LocalModel best = Hypothesis::local_at(space_, suitable.at, response_, setup_.form_tolerance);
       const LocalFit fit = fitted(noise_, noise_.readings(), best, court_.base);
       pairs.push_back({std::move(causes), std::move(suitable), log_odds(fit.log_evidence, 2)});
     }
@@ -271,11 +280,12 @@ private:
         first.push_back(h - 1);
       }
     }
+    constexpr std::size_t most_of_pair = 3; // parameters; the grid grows with each by a factor of 6 to 9
     std::vector<std::vector<std::size_t>> out;
     for (auto a = first.begin(); a != first.end(); ++a) {
       for (std::size_t c = 0; c < space_.causes().size(); ++c) {
         const bool done = std::find(first.begin(), a + 1, c) != a + 1;
-        if (!done && space_.parameters_of({*a, c}).size() == 2) {
+        if (!done && space_.parameters_of({*a, c}).size() <= most_of_pair) {
           out.push_back({std::min(*a, c), std::max(*a, c)});
         }
       }
@@ -404,19 +414,20 @@ private:
     }
     const Noise noise{held_out_, *held_out_response_};
     const auto of = [&](std::size_t h) {
-      return predicted(court_, hypotheses_[h], noise_.readings(), seen_[h], space_.null(),
-                       *held_out_response_);
+      return predicted(court_, hypotheses_[h], noise_.readings(), seen_[h], space_, *held_out_response_,
+                       setup_.form_tolerance);
     };
     out.held_out = held_out_gain(noise, of(0), of(best), setup_.confidence, setup_.draws, random);
-    const bool contradicted = out.held_out->p < setup_.least_adequacy, worse = out.held_out->high < 0.0;
+    const bool contradicted = out.held_out->p < setup_.least_adequacy,
+               worse = out.held_out->p_of_gain < setup_.least_adequacy;
     if (contradicted || worse) {
       out.finding = Finding::unexplained;
       out.named.clear();
       out.reason = "The best of the causes explains what was fitted, but fails on what was held out: ";
       out.reason += contradicted
                         ? message("it leaves more there than chance does (p = ", out.held_out->p, ").")
-                        : message("the base model predicts that better (gain ", out.held_out->gain, ", ",
-                                  out.held_out->low, " to ", out.held_out->high, ").");
+                        : message("the base model predicts that better than it could by chance (gain ",
+                                  out.held_out->gain, ", p = ", out.held_out->p_of_gain, ").");
     } else if (out.held_out->low <= 0.0) {
       // It may be right all the same: a cause that does not touch what was held out gains nothing there.
       out.reason += message(" What was held out neither shows nor refutes it (gain ", out.held_out->gain,

@@ -21,12 +21,10 @@ struct HeldOutPrediction {
   Eigen::MatrixXd covariance; ///< of the mean
 };
 
-/// \param base number of base parameters
-/// \param null shares of the whole space with all causes null
 /// \param response of the held-out observables over the same space
 inline HeldOutPrediction predicted(const Court& court, const Hypothesis& hypothesis, const Readings& readings,
-                                   const Judgement& judgement, const Eigen::VectorXd& null,
-                                   const ResponseSurface& response) {
+                                   const Judgement& judgement, const ModelSpace& space,
+                                   const ResponseSurface& response, double form_tolerance) {
   const Eigen::Index m = response.noise().size();
   HeldOutPrediction out{Eigen::VectorXd::Zero(m), Eigen::MatrixXd::Zero(m, m)};
   Eigen::MatrixXd second = Eigen::MatrixXd::Zero(m, m);
@@ -37,7 +35,7 @@ inline HeldOutPrediction predicted(const Court& court, const Hypothesis& hypothe
     }
     const Hypothesis::Point& point = hypothesis.points()[j];
     const LocalFit fit = fitted(court.noise, readings, point.local, court.base);
-    Eigen::VectorXd at = null;
+    Eigen::VectorXd at = space.null();
     at.head(fit.base.size()) = fit.base.cwiseMax(0.0).cwiseMin(1.0);
     for (std::size_t k = 0; k < hypothesis.free().size(); ++k) {
       at[hypothesis.free()[k]] = point.shares[static_cast<Eigen::Index>(k)];
@@ -47,7 +45,9 @@ inline HeldOutPrediction predicted(const Court& court, const Hypothesis& hypothe
     out.mean += weight * surface.mean;
     second += weight * (surface.mean * surface.mean.transpose());
     out.covariance += weight * (slopes * fit.precision.llt().solve(slopes.transpose()));
-    out.covariance.diagonal() += weight * surface.variance;
+    out.covariance.diagonal() +=
+        weight *
+        (surface.variance + Hypothesis::form_variance(space, at, surface.mean, response, form_tolerance));
   }
   const double sum = judgement.weights.sum();
   out.mean /= sum;
@@ -60,9 +60,11 @@ inline HeldOutPrediction predicted(const Court& court, const Hypothesis& hypothe
 struct HeldOutGain {
   /// Root mean square of predicted less measured, over the standard error of what was measured.
   double before = 0.0, after = 0.0;
-  double gain = 0.0;                                 ///< 1 - after / before
-  double low = 0.0, high = 0.0;                      ///< interval of that
-  double p = 1.0;                                    ///< by which chance explains what is left
+  double gain = 0.0;            ///< 1 - after / before
+  double low = 0.0, high = 0.0; ///< interval of that
+  double p = 1.0;               ///< by which chance explains what is left, were the extended model right
+  /// By which chance explains so low a gain then: what is predicted only roughly often gains nothing.
+  double p_of_gain = 1.0;
   Eigen::VectorXd residuals_before, residuals_after; ///< of each observable, over the same
 };
 
@@ -105,7 +107,7 @@ inline HeldOutGain held_out_gain(const Noise& noise, const HeldOutPrediction& ba
     }
     return z;
   };
-  std::vector<double> gains, left;
+  std::vector<double> gains, left, losses;
   for (std::size_t d = 0; d < draws; ++d) {
     const Eigen::VectorXd measured = centre + noise.normal(seen.variance, random);
     const Eigen::VectorXd of_base = base.mean + root_base * even();
@@ -113,7 +115,10 @@ inline HeldOutGain held_out_gain(const Noise& noise, const HeldOutPrediction& ba
     gains.push_back(gain(((measured - of_base).array() / error).matrix(),
                          ((measured - of_extended).array() / error).matrix()));
     const Readings again = noise.drawn(of_extended, random);
-    left.push_back(rms(((again.mean - extended.mean).array() / again.variance.array().sqrt()).matrix()));
+    const Eigen::ArrayXd error_again = again.variance.array().sqrt();
+    const Eigen::VectorXd after = ((again.mean - extended.mean).array() / error_again).matrix();
+    left.push_back(rms(after));
+    losses.push_back(-gain(((again.mean - base.mean).array() / error_again).matrix(), after));
   }
   std::sort(gains.begin(), gains.end());
   const auto at = [&](double share) {
@@ -122,6 +127,7 @@ inline HeldOutGain held_out_gain(const Noise& noise, const HeldOutPrediction& ba
   out.low = at(0.5 * (1.0 - confidence));
   out.high = at(0.5 * (1.0 + confidence));
   out.p = share_above(left, out.after);
+  out.p_of_gain = share_above(losses, -out.gain);
   return out;
 }
 

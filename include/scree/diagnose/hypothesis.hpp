@@ -31,6 +31,17 @@ struct Judgement {
 /// measured data and data that are drawn again.
 class Hypothesis {
 public:
+  /// Of what is simulated at `at`, as the real cause is hardly of the very form that the model gives it: each
+  /// observable may be moved by the causes by a share more or less, `form_tolerance` (one standard
+  /// deviation). \param mean of each observable there
+  static Eigen::VectorXd form_variance(const ModelSpace& space, const Eigen::VectorXd& at,
+                                       const Eigen::VectorXd& mean, const ResponseSurface& response,
+                                       double form_tolerance) {
+    Eigen::VectorXd without = space.null();
+    without.head(space.base()) = at.head(space.base());
+    return (form_tolerance * (mean - response.mean(without))).cwiseAbs2();
+  }
+
   struct Point {
     Eigen::VectorXd shares;  ///< of the causes' parameters
     double log_weight = 0.0; ///< of the even prior over their ranges
@@ -53,14 +64,14 @@ public:
 
   /// \param suitable of the same causes
   Hypothesis(const ModelSpace& space, std::vector<std::size_t> causes, std::span<const Measured> measured,
-             const ResponseSurface& response, const Suitable& suitable)
+             const ResponseSurface& response, const Suitable& suitable, double form_tolerance)
       : causes_{std::move(causes)}, free_{space.parameters_of(causes_)} {
     const Prior prior = prior_of(space, causes_);
     const Eigen::VectorXd null = space.null();
     const auto& [best, width] = suitable;
     std::vector<std::vector<double>> axes;
     for (const Eigen::Index k : free_) {
-      axes.push_back(axis(best[k], width[k], null[k], free_.size() > 1));
+      axes.push_back(axis(best[k], width[k], null[k], free_.size()));
     }
     std::vector<std::size_t> at(free_.size(), 0);
     while (true) {
@@ -77,7 +88,8 @@ public:
         fixed.fix(free_[a], share);
         near[free_[a]] = share;
       }
-      point.local = local_at(nearly_most_probable(measured, response, fixed, near), response, space.base());
+      point.local =
+          local_at(space, nearly_most_probable(measured, response, fixed, near), response, form_tolerance);
       points_.push_back(std::move(point));
       std::size_t a = 0;
       while (a < free_.size() && ++at[a] == axes[a].size()) {
@@ -154,9 +166,11 @@ public:
   }
 
   /// The model at one point of the space, in shares.
-  static LocalModel local_at(const Eigen::VectorXd& at, const ResponseSurface& response, Eigen::Index base) {
-    const auto predicted = response.predicted(at);
-    return {at.head(base), predicted.mean, predicted.variance, response.slopes(at, base)};
+  static LocalModel local_at(const ModelSpace& space, const Eigen::VectorXd& at,
+                             const ResponseSurface& response, double form_tolerance) {
+    const auto [mean, variance] = response.predicted(at);
+    return {at.head(space.base()), mean, variance + form_variance(space, at, mean, response, form_tolerance),
+            response.slopes(at, space.base())};
   }
 
 private:
@@ -212,13 +226,19 @@ private:
   }
 
   /// Values of one parameter, ascending from 0 to 1.
-  static std::vector<double> axis(double best, double width, double null, bool coarse) {
-    std::vector<double> out{0.0, 0.5, 1.0, null, best};
-    for (const double aside : coarse ? std::vector{1.0, 2.0} : std::vector{0.5, 1.0, 1.5, 2.0, 3.0}) {
+  /// \param axes of the grid: the more there are, the coarser is each
+  static std::vector<double> axis(double best, double width, double null, std::size_t axes) {
+    std::vector<double> out{0.0, 1.0, null, best};
+    if (axes < 3) {
+      out.push_back(0.5);
+    }
+    for (const double aside : axes > 2   ? std::vector{1.5}
+                              : axes > 1 ? std::vector{1.0, 2.0}
+                                         : std::vector{0.5, 1.0, 1.5, 2.0, 3.0}) {
       out.push_back(best + aside * width);
       out.push_back(best - aside * width);
     }
-    if (!coarse) {
+    if (axes == 1) {
       for (const double aside : {0.25, 0.75}) {
         out.push_back(aside);
       }
