@@ -131,7 +131,8 @@ Outcome free_clump(const Inputs& /*inputs*/) {
   Outcome out;
   turn_by<scree::Leapfrog>(out, "Leapfrog");
   turn_by<scree::RotorSplitting>(out, "RotorSplitting");
-  out.notes.emplace_back("Free clump: its spheres, spin and orientation are ours, as the theory holds for any.");
+  out.notes.emplace_back(
+      "Free clump: its spheres, spin and orientation are ours, as the theory holds for any.");
   return out;
 }
 
