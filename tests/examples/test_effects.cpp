@@ -82,7 +82,7 @@ TEST_CASE("effects of the rig have their causes too, with a value for each of th
       CHECK(drawn[k].value < cause.parameters[k].most);
     }
   }
-  CHECK(of_two == 2);
+  CHECK(of_two == 3); // shapes, load cell and bucket
 
   const auto first = make_measured::effects_in("load_cell=1.2", plan, random);
   REQUIRE(first.size() == 1);
