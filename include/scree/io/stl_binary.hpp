@@ -89,6 +89,13 @@ inline TriangleMesh read_stl_binary(std::streambuf& input, std::uintmax_t size,
   return soup.welded();
 }
 
+/// The nearest float. GCC 12 forgets to round where it converts two numbers at once to float and back; it
+/// cannot where the float is stored.
+inline double rounded_to_float(double number) {
+  const volatile float stored = static_cast<float>(number);
+  return static_cast<double>(stored);
+}
+
 } // namespace detail
 
 /// Writes a binary STL file, in m. Coordinates are rounded to float, to about 7 digits.
@@ -111,7 +118,7 @@ inline void write_stl_binary(const std::filesystem::path& file, const TriangleMe
   for (std::size_t i = 0; i < mesh.facets.size(); ++i) {
     auto corners = mesh.corners(i);
     for (auto& corner : corners) {
-      corner = corner.cast<float>().cast<double>();
+      corner = corner.unaryExpr(&detail::rounded_to_float);
     }
     // The normal of what is written, so that a file that is read and written again stays the same.
     add(detail::stl_normal(corners));
