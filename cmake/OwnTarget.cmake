@@ -21,7 +21,7 @@ function(scree_own_target target)
   # select() of the contact laws its branch-free form: a third of the time of a step. No result changes.
   target_compile_options(${target} PRIVATE -fno-math-errno -fno-trapping-math)
   # What is fused is said in the source (multiply_add): a compiler's own choice depends on what stands beside it, and an
-  # extension of a law that is null would not be the law to the bit. Costs about 1 % of a step.
+  # extension of a law that is null would not be the law to the bit. Costs at most 2 % of a step.
   target_compile_options(${target} PRIVATE -ffp-contract=off)
   # Boost's own headers include deprecated ones of Boost, and would say so in every file.
   target_compile_definitions(${target} PRIVATE BOOST_ALLOW_DEPRECATED_HEADERS)

@@ -62,6 +62,8 @@ void bind(ex::Options& options, Wish& w) {
               "share of faultless simulations that are doubted");
   options.add("clear_odds", w.request.setup.clear_odds, {1.0, 1e9},
               "of one cause over the next, for it to be named alone");
+  options.add("form_tolerance", w.request.setup.form_tolerance, {0.0, 1.0},
+              "share by which what a cause does to an observable may be off");
   options.add("confidence", w.request.setup.confidence, {0.5, 0.999}, "of the intervals");
   options.add("limit", w.request.limit, {1e-3, 1e6, "s"},
               "of simulated time, beyond which a run counts as failed");

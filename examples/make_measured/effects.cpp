@@ -49,7 +49,7 @@ constexpr std::array known{
     Known{"particle_density", {Size{"particle_density", 1.0, 2e4, 1.1, 1.3, true}}},
     // The first is the share before the second takes its own.
     Known{"shape_fraction",
-          {Size{"first_shape_share", 0.0, 1.0, 0.6, 0.9}, Size{"second_shape_share", 0.0, 1.0, 0.0, 0.3}}},
+          {Size{"first_shape_share", 0.0, 1.0, 0.6, 0.9}, Size{"second_shape_share", 0.0, 1.0, 0.0, 0.8}}},
     Known{"shape_fraction", {Size{"third_shape_share", 0.0, 1.0, 0.5, 0.8}}, "", "third_shape"},
     Known{"size_scale", {Size{"size_factor", 0.05, 50.0, 1.15, 1.35, true}}},
     Known{"rate_friction", {Size{"friction_rate", -1e3, 1e3, 0.5, 2.0}}},

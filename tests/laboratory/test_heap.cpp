@@ -2,6 +2,9 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <numbers>
 
 using namespace scree;
@@ -40,19 +43,27 @@ TEST_CASE("physics: rock of more friction makes a steeper heap") {
 }
 
 TEST_CASE("physics: a funnel empties onto the plate, and no grain is lost") {
-  HeapTest<> test{small_heap(HeapSetup::Method::funnel)};
-  std::size_t most = 0;
-  const HeapResult& r =
-      test.run([&](const auto& s, const Stage&) { most = std::max(most, s.bodies().size()); });
-  CHECK(r.grains == most);
-  CHECK(r.flow_time > 0.1);
-  // 12 to 22 degrees for eight seeds; each is known to 2 to 4.
-  CHECK(r.flank.angle > 12.0 * degree - 2.0 * r.flank.standard_error);
-  CHECK(r.flank.angle < 40.0 * degree);
-  for (std::size_t b = 0; b < test.simulation().bodies().size(); ++b) {
-    CHECK(test.simulation().bodies().position(b).z() > 0.0);
-    CHECK(test.simulation().bodies().position(b).z() < 0.2);
+  // One such heap has 11 to 22 degrees.
+  constexpr std::uint64_t heaps = 4;
+  double angles = 0.0;
+  for (std::uint64_t seed = 1; seed <= heaps; ++seed) {
+    CAPTURE(seed);
+    HeapSetup setup = small_heap(HeapSetup::Method::funnel);
+    setup.seed = seed;
+    HeapTest<> test{setup};
+    std::size_t most = 0;
+    const HeapResult& r =
+        test.run([&](const auto& s, const Stage&) { most = std::max(most, s.bodies().size()); });
+    CHECK(r.grains == most);
+    CHECK(r.flow_time > 0.1);
+    angles += r.flank.angle;
+    for (std::size_t b = 0; b < test.simulation().bodies().size(); ++b) {
+      CHECK(test.simulation().bodies().position(b).z() > 0.0);
+      CHECK(test.simulation().bodies().position(b).z() < 0.2);
+    }
   }
+  CHECK(angles / static_cast<double>(heaps) > 12.0 * degree);
+  CHECK(angles / static_cast<double>(heaps) < 40.0 * degree);
 }
 
 TEST_CASE("both heaps can be made of the paper's rock, with the default funnel and tube") {

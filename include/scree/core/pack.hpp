@@ -36,7 +36,7 @@ struct LooseVectorOf {
   typedef Real type __attribute__((vector_size(n * sizeof(Real)), aligned(alignof(Real)), may_alias));
 };
 
-#if defined(__AVX512F__) && defined(__AVX512DQ__)
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__FMA__)
 inline constexpr std::size_t register_bytes = 64;
 inline constexpr bool has_estimates = true; // of 14 bits
 inline auto roots(__m512d a) {
@@ -62,6 +62,12 @@ inline auto fused(__m512d a, __m512d b, __m512d c) {
 }
 inline auto fused(__m512 a, __m512 b, __m512 c) {
   return _mm512_fmadd_ps(a, b, c);
+}
+inline auto fused_negated(__m512d a, __m512d b, __m512d c) {
+  return _mm512_fnmadd_pd(a, b, c);
+}
+inline auto fused_negated(__m512 a, __m512 b, __m512 c) {
+  return _mm512_fnmadd_ps(a, b, c);
 }
 inline auto below(__m512d a, __m512d b) {
   return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ);
@@ -104,6 +110,12 @@ inline auto fused(__m256d a, __m256d b, __m256d c) {
 inline auto fused(__m256 a, __m256 b, __m256 c) {
   return _mm256_fmadd_ps(a, b, c);
 }
+inline auto fused_negated(__m256d a, __m256d b, __m256d c) {
+  return _mm256_fnmadd_pd(a, b, c);
+}
+inline auto fused_negated(__m256 a, __m256 b, __m256 c) {
+  return _mm256_fnmadd_ps(a, b, c);
+}
 #endif
 #elif defined(__SSE2__)
 inline constexpr std::size_t register_bytes = 16;
@@ -127,6 +139,10 @@ Register roots(Register a) {
 template <class Register>
 Register fused(const Register& a, const Register& b, const Register& c) {
   return a * b + c;
+}
+template <class Register>
+Register fused_negated(const Register& a, const Register& b, const Register& c) {
+  return c - a * b;
 }
 #endif
 template <class Register>
@@ -221,7 +237,7 @@ public:
     return multiply_add(a, b, -c);
   }
   friend Pack negated_multiply_add(const Pack& a, const Pack& b, const Pack& c) {
-    return multiply_add(-a, b, c);
+    return Pack{detail::fused_negated(a.lanes_, b.lanes_, c.lanes_)};
   }
   friend Pack square_root(const Pack& a) { return Pack{detail::roots(a.lanes_)}; }
   // One lane after the other: right, not fast.

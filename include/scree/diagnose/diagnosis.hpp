@@ -39,8 +39,9 @@ struct DiagnosisSetup {
   double kept_odds = 30.0;         ///< within which hypotheses remain in what is returned
   double odds_against_pair = 30.0; ///< by which two causes are less likely beforehand than one
   double confidence = 0.9;         ///< of all intervals
-  /// Share by which the trace of a cause in each observable may be off, as its form is not known better.
-  double form_tolerance = 0.1;
+  /// Share by which what a cause does to each observable may be off (one standard deviation), 0 to 1: the
+  /// real one is hardly of the very form that the model gives it.
+  double form_tolerance = 0.05;
   double least_power = 0.5;      ///< with which half-way effects must be seen for "no discrepancy" to mean it
   std::size_t draws = 400;       ///< of each bootstrap
   std::size_t pair_partners = 4; ///< causes that are tried together with all others
@@ -418,16 +419,15 @@ private:
                        setup_.form_tolerance);
     };
     out.held_out = held_out_gain(noise, of(0), of(best), setup_.confidence, setup_.draws, random);
-    const bool contradicted = out.held_out->p < setup_.least_adequacy,
-               worse = out.held_out->p_of_gain < setup_.least_adequacy;
+    const bool contradicted = out.held_out->p < setup_.least_adequacy, worse = out.held_out->high < 0.0;
     if (contradicted || worse) {
       out.finding = Finding::unexplained;
       out.named.clear();
       out.reason = "The best of the causes explains what was fitted, but fails on what was held out: ";
       out.reason += contradicted
                         ? message("it leaves more there than chance does (p = ", out.held_out->p, ").")
-                        : message("the base model predicts that better than it could by chance (gain ",
-                                  out.held_out->gain, ", p = ", out.held_out->p_of_gain, ").");
+                        : message("the base model predicts that better (gain ", out.held_out->gain, ", ",
+                                  out.held_out->low, " to ", out.held_out->high, ").");
     } else if (out.held_out->low <= 0.0) {
       // It may be right all the same: a cause that does not touch what was held out gains nothing there.
       out.reason += message(" What was held out neither shows nor refutes it (gain ", out.held_out->gain,

@@ -60,11 +60,9 @@ inline HeldOutPrediction predicted(const Court& court, const Hypothesis& hypothe
 struct HeldOutGain {
   /// Root mean square of predicted less measured, over the standard error of what was measured.
   double before = 0.0, after = 0.0;
-  double gain = 0.0;            ///< 1 - after / before
-  double low = 0.0, high = 0.0; ///< interval of that
-  double p = 1.0;               ///< by which chance explains what is left, were the extended model right
-  /// By which chance explains so low a gain then: what is predicted only roughly often gains nothing.
-  double p_of_gain = 1.0;
+  double gain = 0.0;                                 ///< 1 - after / before
+  double low = 0.0, high = 0.0;                      ///< interval of that
+  double p = 1.0;                                    ///< by which chance explains what is left
   Eigen::VectorXd residuals_before, residuals_after; ///< of each observable, over the same
 };
 
@@ -107,7 +105,7 @@ inline HeldOutGain held_out_gain(const Noise& noise, const HeldOutPrediction& ba
     }
     return z;
   };
-  std::vector<double> gains, left, losses;
+  std::vector<double> gains, left;
   for (std::size_t d = 0; d < draws; ++d) {
     const Eigen::VectorXd measured = centre + noise.normal(seen.variance, random);
     const Eigen::VectorXd of_base = base.mean + root_base * even();
@@ -115,10 +113,7 @@ inline HeldOutGain held_out_gain(const Noise& noise, const HeldOutPrediction& ba
     gains.push_back(gain(((measured - of_base).array() / error).matrix(),
                          ((measured - of_extended).array() / error).matrix()));
     const Readings again = noise.drawn(of_extended, random);
-    const Eigen::ArrayXd error_again = again.variance.array().sqrt();
-    const Eigen::VectorXd after = ((again.mean - extended.mean).array() / error_again).matrix();
-    left.push_back(rms(after));
-    losses.push_back(-gain(((again.mean - base.mean).array() / error_again).matrix(), after));
+    left.push_back(rms(((again.mean - extended.mean).array() / again.variance.array().sqrt()).matrix()));
   }
   std::sort(gains.begin(), gains.end());
   const auto at = [&](double share) {
@@ -127,7 +122,6 @@ inline HeldOutGain held_out_gain(const Noise& noise, const HeldOutPrediction& ba
   out.low = at(0.5 * (1.0 - confidence));
   out.high = at(0.5 * (1.0 + confidence));
   out.p = share_above(left, out.after);
-  out.p_of_gain = share_above(losses, -out.gain);
   return out;
 }
 

@@ -31,17 +31,6 @@ struct Judgement {
 /// measured data and data that are drawn again.
 class Hypothesis {
 public:
-  /// Of what is simulated at `at`, as the real cause is hardly of the very form that the model gives it: each
-  /// observable may be moved by the causes by a share more or less, `form_tolerance` (one standard
-  /// deviation). \param mean of each observable there
-  static Eigen::VectorXd form_variance(const ModelSpace& space, const Eigen::VectorXd& at,
-                                       const Eigen::VectorXd& mean, const ResponseSurface& response,
-                                       double form_tolerance) {
-    Eigen::VectorXd without = space.null();
-    without.head(space.base()) = at.head(space.base());
-    return (form_tolerance * (mean - response.mean(without))).cwiseAbs2();
-  }
-
   struct Point {
     Eigen::VectorXd shares;  ///< of the causes' parameters
     double log_weight = 0.0; ///< of the even prior over their ranges
@@ -171,6 +160,16 @@ public:
     const auto [mean, variance] = response.predicted(at);
     return {at.head(space.base()), mean, variance + form_variance(space, at, mean, response, form_tolerance),
             response.slopes(at, space.base())};
+  }
+
+  /// What `form_tolerance` (`DiagnosisSetup`) makes of the variances of what is simulated at one point.
+  /// \param mean of each observable there
+  static Eigen::VectorXd form_variance(const ModelSpace& space, const Eigen::VectorXd& at,
+                                       const Eigen::VectorXd& mean, const ResponseSurface& response,
+                                       double form_tolerance) {
+    Eigen::VectorXd without = space.null();
+    without.head(space.base()) = at.head(space.base());
+    return (form_tolerance * (mean - response.mean(without))).cwiseAbs2();
   }
 
 private:
