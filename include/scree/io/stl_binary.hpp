@@ -92,7 +92,7 @@ inline TriangleMesh read_stl_binary(std::streambuf& input, std::uintmax_t size,
 /// The nearest float. GCC 12 forgets to round where it converts two numbers at once to float and back; it
 /// cannot where the float is stored.
 inline double rounded_to_float(double number) {
-  const volatile float stored = static_cast<float>(number);
+  const volatile auto stored = static_cast<float>(number);
   return static_cast<double>(stored);
 }
 
