@@ -169,13 +169,16 @@ Json verdict(const Case& c) {
       one["parameters"][c.diagnosed.space.parameters()[static_cast<std::size_t>(p.parameter)].name] = {
           {"estimate", p.value}, {"interval", {p.low, p.high}}};
     }
+    if (r.adequacy) {
+      one["adequacy"] = *r.adequacy;
+    }
     out["evidence"].push_back(std::move(one));
   }
   const auto alike = std::count(d.scatter.holds.begin(), d.scatter.holds.end(), true);
   out["scatter"] = {{"observables", alike},
                     {"measured_over_simulated_variance", d.scatter.ratio},
                     {"freedom", d.scatter.freedom}};
-  out["adequacy"] = {{"base", d.base_adequacy}, {"best", d.ranking.front().adequacy}};
+  out["adequacy"] = {{"base", d.base_adequacy}, {"best", d.ranking.front().adequacy.value_or(1.0)}};
   for (std::size_t a = 0; a < d.confusion.size(); ++a) {
     const std::string truth =
         a < c.diagnosed.space.causes().size() ? c.diagnosed.space.causes()[a].name : "none";
@@ -252,15 +255,18 @@ std::string observables_table(const Case& c) {
 }
 
 std::string evidence_table(const Case& c) {
-  std::string out = "<table><tr><th>hypothesis<th>log10 of its odds over the base model<th>parameters</tr>\n";
+  std::string out =
+      "<table><tr><th>hypothesis<th>log10 of its odds over the base model<th>chance to leave as much"
+      "<th>parameters</tr>\n";
   double most = 1.0;
   for (const Ranked& r : c.diagnosed.diagnosis.ranking) {
     most = std::max(most, std::abs(r.log_odds) / std::log(10.0));
   }
   for (const Ranked& r : c.diagnosed.diagnosis.ranking) {
     const double decades = r.log_odds / std::log(10.0);
-    out += fmt::format("<tr><td>{}<td>{}{:+.1f}<td>{}</tr>\n", xml_escaped(names_of(c, r.causes)),
-                       bar(decades / most, "#0072b2"), decades, xml_escaped(values_text(c, r)));
+    out += fmt::format("<tr><td>{}<td>{}{:+.1f}<td>{}<td>{}</tr>\n", xml_escaped(names_of(c, r.causes)),
+                       bar(decades / most, "#0072b2"), decades,
+                       r.adequacy ? fmt::format("{:.2g}", *r.adequacy) : "", xml_escaped(values_text(c, r)));
   }
   return out + "</table>\n";
 }

@@ -12,8 +12,19 @@ fail() {
 }
 rm -rf "$folder" && mkdir -p "$folder" || exit 1
 
-for run in 1 2 4 1-again; do
-  "$program" "$@" --threads "${run%-again}" --out "$folder/$run" >"$folder/$run.log" 2>&1 || fail "threads: $run"
+go() { # THREADS[-again] OPTIONS
+  local run=$1
+  shift
+  "$program" "$@" --threads "${run%-again}" --out "$folder/$run" >"$folder/$run.log" 2>&1
+}
+# Two that need a processor each, side by side; then those that need them all.
+go 1 "$@" &
+go 1-again "$@" || fail "threads: 1, again"
+wait $! || fail "threads: 1"
+for run in 2 4; do
+  go "$run" "$@" || fail "threads: $run"
+done
+for run in 1 1-again 2 4; do
   hash=$(sed -n 's/.*"state_hash": "\([0-9a-f]*\)".*/\1/p' "$folder/$run/summary.json")
   [ -n "$hash" ] || fail "threads: $run: no state_hash in summary.json"
   [ "$hash" = "${first:=$hash}" ] || fail "threads: $run: state $hash where 1 thread gave $first"

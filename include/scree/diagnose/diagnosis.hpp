@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -66,7 +67,7 @@ struct Ranked {
   std::vector<std::size_t> causes; ///< none: the base model
   double log_odds = 0.0;           ///< natural logarithm of the odds over the base model
   double deviance = 0.0;
-  double adequacy = 1.0; ///< probability of such a deviance by chance; of the best only
+  std::optional<double> adequacy{}; ///< probability of such a deviance by chance, of those near the best
   struct Interval {
     Eigen::Index parameter; ///< in the space
     double value, low, high;
@@ -156,23 +157,25 @@ public:
       out.named = {place_of(out, {})};
       return out;
     }
-    std::size_t best = by_likelihood().front();
-    double fits = adequacy(court_, hypotheses_[best], seen_[best], setup_.draws, random);
-    if (best == 0 || fits < setup_.least_adequacy) {
+    std::vector<std::size_t> left = not_refuted(random);
+    if (left.empty() || left.front() != by_likelihood().front()) {
       try_pairs();
-      best = by_likelihood().front();
-      fits = adequacy(court_, hypotheses_[best], seen_[best], setup_.draws, random);
+      left = not_refuted(random);
     }
     rank(out);
-    out.ranking.front().adequacy = fits;
-    if (best == 0 || fits < setup_.least_adequacy) {
-      out.finding = Finding::unexplained;
-      out.reason = "The base model does not suffice, and no cause of the catalogue, nor two, explain what is "
-                   "left.";
+    if (left.empty()) {
+      nothing_suffices(out);
       return out;
     }
-    name_what_remains(out);
-    hold_out(out, best, random);
+    name_what_remains(out, left);
+    hold_out(out, left.front(), random);
+    // What is refuted may be the truth in another form, and what is less likely then fits by bending: it
+    // needs data that it was not fitted to.
+    const bool second_choice = left.front() != by_likelihood().front();
+    const bool confirmed = out.held_out && out.held_out->low > 0.0 && out.finding != Finding::unexplained;
+    if (second_choice && !confirmed) {
+      nothing_suffices(out);
+    }
     return out;
   }
 
@@ -247,6 +250,25 @@ private:
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return log_odds(a) > log_odds(b); });
     return order;
+  }
+
+  /// The causes, alone or together, within the kept odds of the most likely one that chance does not refute,
+  /// the likeliest first; none where the base model is likelier than all.
+  std::vector<std::size_t> not_refuted(Random& random) {
+    std::vector<std::size_t> out;
+    const std::vector<std::size_t> order = by_likelihood();
+    for (const std::size_t h : order) {
+      if (order.front() == 0 || log_odds(h) <= log_odds(order.front()) - std::log(setup_.kept_odds)) {
+        break;
+      }
+      if (!adequacy_.contains(h)) {
+        adequacy_[h] = adequacy(court_, hypotheses_[h], seen_[h], setup_.draws, random);
+      }
+      if (h != 0 && adequacy_[h] >= setup_.least_adequacy) {
+        out.push_back(h);
+      }
+    }
+    return out;
   }
 
   /// Each of the most likely causes together with each other one. A pair is no likelier than it is at its
@@ -368,6 +390,9 @@ private:
     const double outside = 0.5 * (1.0 - setup_.confidence);
     for (const std::size_t h : by_likelihood()) {
       Ranked one{.causes = hypotheses_[h].causes(), .log_odds = log_odds(h), .deviance = seen_[h].deviance};
+      if (const auto known = adequacy_.find(h); known != adequacy_.end()) {
+        one.adequacy = known->second;
+      }
       for (std::size_t k = 0; k < hypotheses_[h].free().size(); ++k) {
         const Eigen::Index at = hypotheses_[h].free()[k];
         const Parameter& parameter = space_.parameters()[static_cast<std::size_t>(at)];
@@ -388,24 +413,41 @@ private:
                                     out.ranking.begin());
   }
 
-  void name_what_remains(Diagnosis& out) const {
-    const double best = out.ranking.front().log_odds;
-    for (std::size_t r = 0; r < out.ranking.size(); ++r) {
-      if (!out.ranking[r].causes.empty() && out.ranking[r].log_odds > best - std::log(setup_.kept_odds)) {
-        out.named.push_back(r);
-      }
-    }
-    const bool alone = out.named.size() < 2 || out.ranking[1].log_odds < best - std::log(setup_.clear_odds);
-    if (!alone) {
-      out.finding = Finding::indistinguishable;
-      out.reason = "The base model does not suffice; several causes explain what is left about as well.";
-      return;
-    }
-    out.named.resize(1);
-    out.finding = out.ranking.front().causes.size() > 1 ? Finding::causes : Finding::cause;
+  static void nothing_suffices(Diagnosis& out) {
+    out.finding = Finding::unexplained;
+    out.named.clear();
+    out.held_out.reset();
     out.reason =
-        "The base model does not suffice, and what is named explains what is left, clearly better than "
-        "any rival.";
+        "The base model does not suffice, and no cause of the catalogue, nor two, explain what is left.";
+  }
+
+  void name_what_remains(Diagnosis& out, const std::vector<std::size_t>& left) const {
+    for (const std::size_t h : left) {
+      out.named.push_back(place_of(out, hypotheses_[h].causes()));
+    }
+    const double best = log_odds(left.front());
+    const bool alone = left.size() < 2 || log_odds(left[1]) < best - std::log(setup_.clear_odds);
+    if (alone) {
+      out.named.resize(1);
+      out.finding = hypotheses_[left.front()].causes().size() > 1 ? Finding::causes : Finding::cause;
+      out.reason = "The base model does not suffice, and what is named explains what is left, clearly better "
+                   "than any rival.";
+    } else {
+      out.finding = Finding::indistinguishable;
+      out.reason = "The base model does not suffice; several causes explain what is left about as well";
+      for (const std::size_t c : hypotheses_[left.front()].causes()) {
+        const bool in_all = std::all_of(left.begin(), left.end(), [&](std::size_t h) {
+          const auto& causes = hypotheses_[h].causes();
+          return std::find(causes.begin(), causes.end(), c) != causes.end();
+        });
+        out.reason += in_all ? message(", all of them with ", space_.causes()[c].name) : "";
+      }
+      out.reason += ".";
+    }
+    if (left.front() != by_likelihood().front()) {
+      out.reason += message(" What is likelier leaves more than chance does (p = ",
+                            adequacy_.at(by_likelihood().front()), ").");
+    }
   }
 
   /// Predicts what was held out; a cause that fails there, or does worse than none, is none.
@@ -442,9 +484,10 @@ private:
   DiagnosisSetup setup_;
   Noise noise_;
   Court court_;
-  std::vector<Hypothesis> hypotheses_; // the base model, the single causes, pairs
-  std::vector<Judgement> seen_;        // of the measured data, one each
-  std::optional<AlarmTest> alarm_{};   // made when it is needed
+  std::vector<Hypothesis> hypotheses_;       // the base model, the single causes, pairs
+  std::vector<Judgement> seen_;              // of the measured data, one each
+  std::optional<AlarmTest> alarm_{};         // made when it is needed
+  std::map<std::size_t, double> adequacy_{}; // of hypotheses, where it was asked for
 };
 
 } // namespace scree
