@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -74,6 +75,34 @@ TEST_CASE("hidden-effects: two causes at once are both named") {
   const Diagnosis d = diagnosed(toy::data({0.5, -1.0, 0.5, -1.0}, 31));
   CHECK(d.finding == Finding::causes);
   CHECK(named(d) == std::vector<std::string>{"rolling_resistance", "normal_hysteresis"});
+}
+
+TEST_CASE(
+    "hidden-effects: two causes that are less likely than one that is refuted are named where held-out data "
+    "bear them out") {
+  toy::Data data = toy::data({0.5, -1.0, 0.12, -1.0}, 31);
+  DiagnosisSetup setup{.draws = 100};
+  const Diagnosis usual = diagnosed(data, setup);
+  const auto alone = std::find_if(usual.ranking.begin(), usual.ranking.end(),
+                                  [](const Ranked& r) { return r.causes.size() == 1; });
+  REQUIRE(alone != usual.ranking.end());
+  setup.odds_against_pair *= std::exp(1.0 + usual.ranking.front().log_odds - alone->log_odds);
+
+  const Diagnosis d = diagnosed(data, setup);
+  CHECK(d.ranking.front().causes == alone->causes);
+  CHECK(d.ranking.front().adequacy.value_or(1.0) < setup.least_adequacy);
+  CHECK(d.finding == Finding::causes);
+  CHECK(named(d) == std::vector<std::string>{"rolling_resistance", "normal_hysteresis"});
+  CHECK(d.reason.find("What is likelier leaves more than chance does") != std::string::npos);
+
+  data.held_out.clear();
+  std::vector<Run> runs = shared_runs();
+  for (Run& run : runs) {
+    run.observed = run.observed.head(static_cast<Eigen::Index>(data.fitted.size())).eval();
+  }
+  const Diagnosis unconfirmed = Diagnostician{space(), data.fitted, {}, runs, setup}();
+  CHECK(unconfirmed.finding == Finding::unexplained);
+  CHECK(unconfirmed.named.empty());
 }
 
 TEST_CASE("hidden-effects: a cause with two parameters is named, with both") {
