@@ -12,6 +12,8 @@
 ///     // Called when the winch starts, with the bucket at rest as wall `wall`; `start` as before.
 ///     void begin(Simulation& simulation, std::size_t wall, const DragSetup& setup,
 ///                const BucketBody& bucket, double start);
+///     // Called instead of `begin` where the winch has started in a run that was read, before the walls are.
+///     void go_on(Simulation& simulation, const DragSetup& setup, const BucketBody& bucket);
 ///     // Called after every step of `dt` [s] from then on.
 ///     void observe(const Simulation& simulation, double dt);
 ///     // What it pulled with since the last call, which was `span` [s] ago.
@@ -72,6 +74,9 @@ public:
     wall_ = wall;
     lifted_ = lift(simulation);
   }
+
+  template <class Simulation>
+  static void go_on(Simulation&, const DragSetup&, const BucketBody&) {} // ropes are the wall's own
 
   template <class Simulation>
   void observe(const Simulation& simulation, double dt) {
@@ -144,20 +149,28 @@ public:
   void begin(Simulation& simulation, std::size_t wall, const DragSetup& setup, const BucketBody& bucket,
              double start) {
     wall_ = wall;
+    start_ = start;
+    const WallMotion& rest = simulation.wall(wall).motion;
+    from_ = rest.to_space(bucket.body.centre);
+    placed_ = attitude(rest.orientation);
+    go_on(simulation, setup, bucket);
+    before_ = received(simulation);
+  }
+
+  template <class Simulation>
+  void go_on(Simulation& simulation, const DragSetup& setup, const BucketBody& bucket) {
     body_ = bucket.body;
     gravity_ = setup.gravity();
-    const WallMotion& rest = simulation.wall(wall).motion;
-    const auto pose = [setup, path = path_, start, centre = body_.centre, from = rest.to_space(body_.centre),
-                       placed = attitude(rest.orientation)](double time) {
-      const PathPoint now = path.at(setup.wound(time - start));
-      Attitude turned = placed;
-      turned.pitch += now.pitch;
-      Pose out{.orientation = orientation(turned)};
-      out.position = from + Vector{now.drag, 0.0, -now.depth} - out.orientation * centre;
-      return out;
-    };
-    simulation.set_dynamics(wall, Prescribed{pose});
-    before_ = received(simulation);
+    simulation.set_dynamics(
+        wall_, Prescribed{[setup, path = path_, start = start_, centre = body_.centre, from = from_,
+                           placed = placed_](double time) {
+          const PathPoint now = path.at(setup.wound(time - start));
+          Attitude turned = placed;
+          turned.pitch += now.pitch;
+          Pose out{.orientation = orientation(turned)};
+          out.position = from + Vector{now.drag, 0.0, -now.depth} - out.orientation * centre;
+          return out;
+        }});
   }
 
   template <class Simulation>
@@ -181,6 +194,13 @@ public:
     return 0.5 * body_.mass * velocity(motion).squaredNorm() + 0.5 * spin.dot(body_.inertia * spin);
   }
 
+  /// The path is the one that it was made with.
+  template <class Self, class Archive>
+  static void fields(Self& self, Archive& archive) {
+    archive(self.wall_, self.start_, self.from_, self.placed_.pitch, self.placed_.roll, self.placed_.yaw,
+            self.before_);
+  }
+
 private:
   [[nodiscard]] Vector velocity(const WallMotion& motion) const {
     return motion.velocity_at(motion.to_space(body_.centre));
@@ -196,6 +216,9 @@ private:
   std::size_t wall_ = 0;
   MassProperties body_{};
   Vector gravity_ = Vector::Zero();
+  double start_ = 0.0;           // s, of the winch
+  Vector from_ = Vector::Zero(); // m, of the centre of mass, then
+  Attitude placed_{};            // then
   Vector before_ = Vector::Zero();
 };
 

@@ -196,6 +196,9 @@ public:
       if (self.phase_ >= Phase::placing) {
         self.lay_bucket();
       }
+      if (self.phase_ == Phase::dragging) {
+        self.haul_.go_on(self.simulation_, self.setup_, self.bucket_);
+      }
     }
     archive(self.simulation_);
   }
