@@ -178,7 +178,10 @@ Json verdict(const Case& c) {
   out["scatter"] = {{"observables", alike},
                     {"measured_over_simulated_variance", d.scatter.ratio},
                     {"freedom", d.scatter.freedom}};
-  out["adequacy"] = {{"base", d.base_adequacy}, {"best", d.ranking.front().adequacy.value_or(1.0)}};
+  out["adequacy"]["base"] = d.base_adequacy;
+  if (d.ranking.front().adequacy) {
+    out["adequacy"]["best"] = *d.ranking.front().adequacy;
+  }
   for (std::size_t a = 0; a < d.confusion.size(); ++a) {
     const std::string truth =
         a < c.diagnosed.space.causes().size() ? c.diagnosed.space.causes()[a].name : "none";

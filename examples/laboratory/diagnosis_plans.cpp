@@ -122,7 +122,7 @@ load.most_inertial_number = 2e-2
 )";
 
 std::string desk() {
-  // Twice as fast as the desk's oedometer has it, to save a third of a diagnosis.
+  // Twice as fast as the desk's oedometer has it, to save more than a quarter of a diagnosis.
   const std::string quickly = "load.strain_rate = 0.12\nload.most_inertial_number = 1e-2\n";
   return base("4e4", "2.5e5") + single_rocks("4000", "6.0") + container("bulk_density", "0.1", "0.1") +
          tamped("tamped", "0.1", "0.1", "0.3") +

@@ -138,9 +138,13 @@ Outcome findings(const Inputs& inputs, const PressSetup& setup, const Samples& d
              "Student's t at 99 % times the standard error of the mean of three samples, from all six"});
   }
 
-  auto all_angles = d_angle;
-  all_angles.insert(all_angles.end(), l_angle.begin(), l_angle.end());
-  const Mean critical_of_all{all_angles};
+  const auto of_all = [&](double (*value)(const Test&)) {
+    auto values = dense.each(value);
+    const auto others = loose.each(value);
+    values.insert(values.end(), others.begin(), others.end());
+    return Mean{values};
+  };
+  const Mean critical_of_all = of_all(critical_angle), core = of_all(critical_solid);
   const double crit = critical_of_all.value;
   const Range range = triaxial_angle(0.382);
   out.add(name, "critical friction angle of all samples", "degrees", 0.5 * (range.low + range.high),
@@ -148,13 +152,6 @@ Outcome findings(const Inputs& inputs, const PressSetup& setup, const Samples& d
           {0.5 * (range.high - range.low) + critical_of_all.margin(level), false,
            "from simple shear to triaxial by Matsuoka & Nakai or by Mohr & Coulomb, and Student's t at 99 % "
            "times the standard error"});
-  std::vector<double> solid;
-  for (const Samples* s : {&dense, &loose}) {
-    for (const Test& t : s->tests) {
-      solid.push_back(Mean{t.core_solid}.value);
-    }
-  }
-  const Mean core{solid};
   out.add(
       name, "critical solid fraction in the core of all samples", "1", 0.587,
       {Origin::code, "Chialvo, Sun & Sundaresan (2012), equal spheres, mu 0.5, jamming in simple shear"},

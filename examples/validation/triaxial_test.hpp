@@ -113,6 +113,10 @@ inline double critical_dilation(const Test& t) {
   return -slope(t.strain, t.volume_strain, critical(t), t.strain.size());
 }
 
+inline double critical_solid(const Test& t) {
+  return Mean{t.core_solid}.value;
+}
+
 /// Tests of the same kind of sample from several seeds.
 struct Samples {
   std::string name;

@@ -14,6 +14,8 @@
 ///                const BucketBody& bucket, double start);
 ///     // Called instead of `begin` where the winch has started in a run that was read, before the walls are.
 ///     void go_on(Simulation& simulation, const DragSetup& setup, const BucketBody& bucket);
+///     // What it keeps of a run (core/archive.hpp).
+///     static void fields(Self& self, Archive& archive);
 ///     // Called after every step of `dt` [s] from then on.
 ///     void observe(const Simulation& simulation, double dt);
 ///     // What it pulled with since the last call, which was `span` [s] ago.
