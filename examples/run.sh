@@ -1,6 +1,7 @@
 #!/bin/sh
 # sh examples/run.sh NAME [options]: installs what is missing, configures, builds the example NAME and runs it.
 # sh examples/run.sh --list: the examples, one line each.
+# SCREE_PRESET=avx2 (or another of CMakePresets.json) before it builds for such a machine, where runs take less time.
 set -u
 root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd) || exit 1
 . "$root/cmake/setup.sh"
@@ -37,6 +38,7 @@ if [ $known = no ] || { [ ! -f "$root/examples/$name.cpp" ] && [ ! -f "$root/exa
 fi
 
 install_missing
-configure release || exit 1
-build release "example_$name" || exit 1
-exec "$root/build/release/examples/$name" "$@"
+preset=${SCREE_PRESET:-release}
+configure "$preset" || exit 1
+build "$preset" "example_$name" || exit 1
+exec "$root/build/$preset/examples/$name" "$@"

@@ -122,12 +122,12 @@ load.most_inertial_number = 2e-2
 )";
 
 std::string desk() {
-  // Twice as fast as the desk's oedometer has it, to save more than a quarter of a diagnosis.
-  const std::string quickly = "load.strain_rate = 0.12\nload.most_inertial_number = 1e-2\n";
+  // Four times as fast as the desk's oedometer has it, and heaps of half its rock: both take half of what they would.
+  const std::string quickly = "load.strain_rate = 0.25\nload.most_inertial_number = 2e-2\n";
   return base("4e4", "2.5e5") + single_rocks("4000", "6.0") + container("bulk_density", "0.1", "0.1") +
          tamped("tamped", "0.1", "0.1", "0.3") +
          oedometer("oedometer", "0.1", "0.08", quickly + "load.cycles = 2\n") +
-         heap("angle_of_repose", "0.002") + heap("rising_funnel", "0.002", rising) +
+         heap("angle_of_repose", "0.001") + heap("rising_funnel", "0.001", rising) +
          oedometer("stronger", "0.1", "0.08",
                    quickly + "load.high_stress = 8e4\nload.cycles = 1\n" + first_loading) +
          not_yet(tamped("barely_tamped", "0.1", "0.1", "0.6")) +
