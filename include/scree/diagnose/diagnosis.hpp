@@ -93,7 +93,7 @@ public:
     const Parameter& parameter =
         space_.parameters()[static_cast<std::size_t>(hypotheses_.at(cause + 1).free()[0])];
     Random random{setup_.seed, "diagnosis, taken for"};
-    return look_alikes(nearest_point(cause, parameter.share(value)), random);
+    return look_alikes(point_of(cause, parameter.share(value)), setup_.draws, random);
   }
 
   [[nodiscard]] Diagnosis operator()() {
@@ -289,23 +289,21 @@ private:
     return *alarm_;
   }
 
-  /// Where the first parameter is nearest to a share, and of these points the one where others are nearest to
-  /// null.
-  [[nodiscard]] const Hypothesis::Point& nearest_point(std::size_t cause, double share) const {
+  /// Where the first parameter of a cause is `share`, its others are null, and the base parameters suit best.
+  [[nodiscard]] Hypothesis::Point point_of(std::size_t cause, double share) const {
     const Hypothesis& hypothesis = hypotheses_[cause + 1];
-    Eigen::VectorXd wanted = space_.null()(hypothesis.free());
-    wanted[0] = share;
-    const auto off = [&](const Hypothesis::Point& point) {
-      const Eigen::VectorXd aside = (point.shares - wanted).cwiseAbs();
-      return std::pair{aside[0], aside.tail(aside.size() - 1).sum()};
-    };
-    return *std::min_element(hypothesis.points().begin(), hypothesis.points().end(),
-                             [&](const auto& a, const auto& b) { return off(a) < off(b); });
+    Eigen::VectorXd shares = space_.null()(hypothesis.free());
+    shares[0] = share;
+    const auto& points = hypothesis.points();
+    const auto near = std::min_element(points.begin(), points.end(), [&](const auto& a, const auto& b) {
+      return (a.shares - shares).squaredNorm() < (b.shares - shares).squaredNorm();
+    });
+    return hypothesis.point_at(space_, measured_, response_, shares, near->local.base, setup_.form_tolerance);
   }
 
   /// What data from `truth` would be taken for; for nothing last.
-  [[nodiscard]] std::vector<double> look_alikes(const Hypothesis::Point& truth, Random& random) {
-    const std::size_t draws = std::max<std::size_t>(setup_.draws / 8, 20);
+  [[nodiscard]] std::vector<double> look_alikes(const Hypothesis::Point& truth, std::size_t draws,
+                                                Random& random) {
     std::vector<double> row =
         scree::taken_for(court_, single(), alarm(), setup_.false_alarms, truth, draws, random);
     std::rotate(row.begin(), row.begin() + 1, row.end());
@@ -314,13 +312,14 @@ private:
 
   /// Which causes these data could tell from each other and from nothing.
   void confusion(Diagnosis& out, Random& random) {
+    const std::size_t draws = std::max<std::size_t>(setup_.draws / 8, 20);
     for (std::size_t c = 0; c < space_.causes().size(); ++c) {
       const double null = space_.null()[hypotheses_[c + 1].free()[0]];
       const double half = null < 0.5 ? null + 0.5 * (1.0 - null) : 0.5 * null;
-      out.confusion.push_back(look_alikes(nearest_point(c, half), random));
+      out.confusion.push_back(look_alikes(point_of(c, half), draws, random));
       out.power.push_back(1.0 - out.confusion.back().back());
     }
-    out.confusion.push_back(look_alikes(hypotheses_[0].points()[0], random));
+    out.confusion.push_back(look_alikes(hypotheses_[0].points()[0], draws, random));
   }
 
   void judge_silence(Diagnosis& out) const {

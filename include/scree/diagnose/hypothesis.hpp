@@ -55,7 +55,6 @@ public:
   Hypothesis(const ModelSpace& space, std::vector<std::size_t> causes, std::span<const Measured> measured,
              const ResponseSurface& response, const Suitable& suitable, double form_tolerance)
       : causes_{std::move(causes)}, free_{space.parameters_of(causes_)} {
-    const Prior prior = prior_of(space, causes_);
     const Eigen::VectorXd null = space.null();
     const auto& [best, width] = suitable;
     std::vector<std::vector<double>> axes;
@@ -64,21 +63,16 @@ public:
     }
     std::vector<std::size_t> at(free_.size(), 0);
     while (true) {
-      Point point{Eigen::VectorXd(static_cast<Eigen::Index>(free_.size())), 0.0, {}};
-      Prior fixed = prior;
-      Eigen::VectorXd near = best;
-      if (!points_.empty()) {
-        near.head(space.base()) = points_.back().local.base; // a neighbour's, mostly
-      }
+      Eigen::VectorXd shares(static_cast<Eigen::Index>(free_.size()));
+      double log_weight = 0.0;
       for (std::size_t a = 0; a < free_.size(); ++a) {
-        const double share = axes[a][at[a]];
-        point.shares[static_cast<Eigen::Index>(a)] = share;
-        point.log_weight += std::log(span_of(axes[a], at[a]));
-        fixed.fix(free_[a], share);
-        near[free_[a]] = share;
+        shares[static_cast<Eigen::Index>(a)] = axes[a][at[a]];
+        log_weight += std::log(span_of(axes[a], at[a]));
       }
-      point.local =
-          local_at(space, nearly_most_probable(measured, response, fixed, near), response, form_tolerance);
+      // A neighbour's base parameters are near, mostly.
+      const Eigen::VectorXd near = points_.empty() ? best.head(space.base()) : points_.back().local.base;
+      Point point = point_at(space, measured, response, std::move(shares), near, form_tolerance);
+      point.log_weight = log_weight;
       points_.push_back(std::move(point));
       std::size_t a = 0;
       while (a < free_.size() && ++at[a] == axes[a].size()) {
@@ -88,6 +82,25 @@ public:
         break;
       }
     }
+  }
+
+  /// Any point, with the base parameters that suit the measured data best there; without a weight.
+  /// \param shares of the causes' parameters
+  /// \param near base parameters that are about right, in shares
+  [[nodiscard]] Point point_at(const ModelSpace& space, std::span<const Measured> measured,
+                               const ResponseSurface& response, Eigen::VectorXd shares,
+                               const Eigen::VectorXd& near, double form_tolerance) const {
+    Prior fixed = prior_of(space, causes_);
+    Eigen::VectorXd from(space.size());
+    from << near, space.null().tail(space.size() - space.base());
+    for (std::size_t a = 0; a < free_.size(); ++a) {
+      const double share = shares[static_cast<Eigen::Index>(a)];
+      fixed.fix(free_[a], share);
+      from[free_[a]] = share;
+    }
+    LocalModel local =
+        local_at(space, nearly_most_probable(measured, response, fixed, from), response, form_tolerance);
+    return {std::move(shares), 0.0, std::move(local)};
   }
 
   /// Numbers of the causes; none: the base model.
