@@ -66,8 +66,8 @@ void judge_all(std::uint64_t seed, std::size_t times, const std::string& name) {
 
 } // namespace
 
-TEST_CASE("hidden-effects: what was hidden in simulated experiments is found, and broken diagnoses are not "
-          "let through") {
+TEST_CASE("long: what was hidden in simulated experiments is found, and broken diagnoses are not let "
+          "through") {
   judge_all(1, 1, "once");
 }
 
