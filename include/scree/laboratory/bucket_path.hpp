@@ -43,6 +43,8 @@ public:
     return {drag, end_.pitch + end_pitch_slope_ * beyond, end_.depth + end_depth_slope_ * beyond};
   }
 
+  static constexpr double steepest = 1.5; ///< rad, of pitch, either way
+
   /// m, of drag, of the last point.
   [[nodiscard]] double length() const { return end_.drag; }
 
@@ -60,7 +62,7 @@ private:
         throw Error(message("bucket path: point ", k, ": drag = ", p.drag, " m must be above ",
                             points[k - 1].drag, " m, that of the point before"));
       }
-      require(message("bucket path: point ", k, ": pitch"), p.pitch, {-1.5, 1.5, "rad"});
+      require(message("bucket path: point ", k, ": pitch"), p.pitch, {-steepest, steepest, "rad"});
       require(message("bucket path: point ", k, ": depth"), p.depth, {-1e3, 1e3, "m"});
     }
     return points;
