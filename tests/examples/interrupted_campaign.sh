@@ -18,7 +18,10 @@ began=$(date +%s%3N)
 length=$(($(date +%s%3N) - began)) # ms
 
 # A file of a campaign without its clock, its own folder, and which runs were kept from before.
-told() { sed -E -e '/"(seconds|done|kept_from_before|resume)":|^resume = /d' -e "s|$1|FOLDER|g" "$1/$2"; }
+told() {
+  sed -E -e '/"(seconds|done|kept_from_before|resume)":|^resume = /d' -e 's/ failed, [0-9]+ s\. / failed. /' \
+    -e "s|$1|FOLDER|g" "$1/$2"
+}
 compare() {
   for file in $(cd "$folder/whole" && find . -type f); do
     cmp -s <(told "$folder/whole" "$file") <(told "$run" "$file") || fail "$file is another"
