@@ -1,7 +1,7 @@
 #!/bin/sh
 # sh examples/run.sh NAME [options]: installs what is missing, configures, builds the example NAME and runs it.
 # sh examples/run.sh --list: the examples, one line each.
-# SCREE_PRESET=avx2 (or another of CMakePresets.json) before it builds for such a machine, where runs take less time.
+# SCREE_PRESET=avx2 or avx512 before it builds for such a machine, where runs take less time; debug is for a debugger.
 set -u
 root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd) || exit 1
 . "$root/cmake/setup.sh"
@@ -37,8 +37,13 @@ if [ $known = no ] || { [ ! -f "$root/examples/$name.cpp" ] && [ ! -f "$root/exa
   exit 2
 fi
 
-install_missing
 preset=${SCREE_PRESET:-release}
+case $preset in
+release | avx2 | avx512 | debug) ;;
+*) die "SCREE_PRESET = '$preset' is not one of release, avx2, avx512, debug" ;;
+esac
+
+install_missing
 configure "$preset" || exit 1
 build "$preset" "example_$name" || exit 1
 exec "$root/build/$preset/examples/$name" "$@"

@@ -45,17 +45,17 @@ MotionFinding finding_of(std::span<const Done> runs, Motion motion) {
   return out;
 }
 
-/// Whether a bucket fell over on its way, so that there is no path like it.
-bool fell_over(const Outcome& run) {
-  return std::any_of(run.pitch.begin(), run.pitch.end(),
-                     [](double pitch) { return !(std::abs(pitch) * degree < scree::BucketPath::steepest); });
+/// Whether there is a path with the pitch of a run: its bucket came to the end, and did not fall over.
+bool has_path(const Outcome& run) {
+  return std::all_of(run.pitch.begin(), run.pitch.end(),
+                     [](double pitch) { return std::abs(pitch) * degree < scree::BucketPath::steepest; });
 }
 
 DepthCheck depth_check(const Base& base, std::span<const Done> runs) {
   std::vector<double> near, near_by_pitch, end, end_by_pitch;
   for (const Done& run : runs) {
     const bool free = run.of.motion == Motion::free && run.of.levels[5] < 0;
-    if (!free || !run.outcome || fell_over(*run.outcome)) {
+    if (!free || !run.outcome || !has_path(*run.outcome)) {
       continue;
     }
     near.push_back(Outcome::near(run.outcome->depth));
