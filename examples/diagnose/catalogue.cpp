@@ -30,7 +30,6 @@ struct Entry {
   std::string_view name;
   std::array<Range, 2> ranges; ///< the second may have no parameter
   std::string_view extension, separated_by;
-  std::string_view only_with{}; ///< the one kind of experiment that shows it; empty: any may
 };
 constexpr std::array entries{
     Entry{"rolling_resistance",
@@ -79,23 +78,16 @@ constexpr std::array entries{
     Entry{"rope_stiffness",
           {Range{"rope_stiffness", 0.1, 10.0, true}},
           "DragSetup::rope_stiffness",
-          "drag with the rope wound in beside it (lag_m)",
-          "drag"},
+          "drag with the rope wound in beside it (lag_m)"},
     Entry{"load_cell",
           {Range{"load_cell_gain", 0.7, 1.4}, Range{"load_cell_offset", -50.0, 50.0}},
           "nothing: the readings are to be mended, Gear::reading",
-          "a dead weight on the rope",
-          "drag"},
+          "a dead weight on the rope"},
     Entry{"bucket_inertia",
           {Range{"bucket_mass", 0.6, 1.7}, Range{"bucket_inertia", 0.5, 2.0}},
           "BucketBody::body, mass and inertia",
-          "the bucket hung up and weighed",
-          "drag"},
-    Entry{"bed_floor",
-          {Range{"floor_depth", 0.6, 1.2}},
-          "DragSetup::bed_depth",
-          "drag in a deeper bed",
-          "drag"}};
+          "the bucket hung up and weighed"},
+    Entry{"bed_floor", {Range{"floor_depth", 0.6, 1.2}}, "DragSetup::bed_depth", "drag in a deeper bed"}};
 
 /// \throws Error for a name that is none of the causes.
 void refuse_unknown(const std::set<std::string>& names) {
@@ -110,6 +102,12 @@ void refuse_unknown(const std::set<std::string>& names) {
   }
 }
 
+bool any_of_kinds(const ex::Plan& plan, const std::vector<std::string>& kinds) {
+  return std::any_of(plan.experiments.begin(), plan.experiments.end(), [&](const ex::PlannedExperiment& e) {
+    return std::find(kinds.begin(), kinds.end(), e.kind) != kinds.end();
+  });
+}
+
 } // namespace
 
 std::vector<Cause> catalogue(const ex::Plan& plan, const std::string& only) {
@@ -118,10 +116,7 @@ std::vector<Cause> catalogue(const ex::Plan& plan, const std::string& only) {
   refuse_unknown(wanted);
   std::vector<Cause> out;
   for (const Entry& e : entries) {
-    const bool shown = e.only_with.empty() ||
-                       std::any_of(plan.experiments.begin(), plan.experiments.end(),
-                                   [&](const ex::PlannedExperiment& x) { return x.kind == e.only_with; });
-    if (!shown || (!wanted.empty() && !wanted.contains(std::string{e.name}))) {
+    if (!wanted.empty() && !wanted.contains(std::string{e.name})) {
       continue;
     }
     Cause cause{.name = std::string{e.name},
@@ -137,9 +132,14 @@ std::vector<Cause> catalogue(const ex::Plan& plan, const std::string& only) {
         continue;
       }
       const RockParameter& parameter = rock_parameter(range.parameter);
+      std::vector<std::string> touches = ex::kinds_that_show(parameter);
+      if (!any_of_kinds(plan, touches)) {
+        continue;
+      }
       const double null = parameter.get(plan.model), factor = range.times_null ? null : 1.0;
       cause.parameters.push_back({std::string{range.parameter}, std::string{parameter.unit},
-                                  range.least * factor, range.most * factor, parameter.logarithmic});
+                                  range.least * factor, range.most * factor, parameter.logarithmic,
+                                  std::move(touches)});
       cause.null.push_back(null);
     }
     if (!cause.parameters.empty()) {

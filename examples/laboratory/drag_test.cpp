@@ -38,11 +38,12 @@ struct Curve {
   const char* name;
   std::vector<double> DragPieces::*means;
   double unit; ///< of the observable, in SI units
+  bool logarithmic = false;
 };
 constexpr std::array kept_curves{
     Curve{"force_N", &DragPieces::force, 1.0}, Curve{"pitch_deg", &DragPieces::pitch, degree},
     Curve{"depth_m", &DragPieces::depth, 1.0}, Curve{"mass_kg", &DragPieces::mass, 1.0},
-    Curve{"lag_m", &DragPieces::lag, 1.0}};
+    Curve{"lag_m", &DragPieces::lag, 1.0, true}}; // force over stiffness of the rope
 
 class DragExperiment final : public Experiment {
 public:
@@ -58,7 +59,7 @@ public:
     std::vector<Observable> out;
     for (const Curve& curve : kept_curves) {
       for (std::size_t k = 1; k <= pieces_; ++k) {
-        out.push_back({message(curve.name, "_", k), false});
+        out.push_back({message(curve.name, "_", k), curve.logarithmic});
       }
     }
     out.push_back({"roughness"});

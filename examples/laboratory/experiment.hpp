@@ -5,6 +5,7 @@
 #include "scree/core/error.hpp"
 #include "scree/io/csv.hpp"
 #include "scree/laboratory/rock_model.hpp"
+#include "scree/laboratory/rock_parameters.hpp"
 #include "support/extended_simulation.hpp"
 #include "support/options.hpp"
 #include "support/plot.hpp"
@@ -80,6 +81,8 @@ public:
 /// \throws Error for another kind.
 std::unique_ptr<Experiment> make_experiment(const std::string& kind, bool desk);
 std::vector<std::string> experiment_kinds();
+/// Those of them whose results the parameter can change.
+std::vector<std::string> kinds_that_show(const RockParameter& parameter);
 
 namespace detail {
 

@@ -86,7 +86,10 @@ void read_parameters(const Source& source, const toml::table& parameters, Plan& 
     } catch (const Error& error) {
       source.refuse(node, error.what());
     }
-    Parameter parameter{.name = name, .unit = std::string{known->unit}, .logarithmic = known->logarithmic};
+    Parameter parameter{.name = name,
+                        .unit = std::string{known->unit},
+                        .logarithmic = known->logarithmic,
+                        .touches = kinds_that_show(*known)};
     double start = std::nan("");
     for (const auto& [entry, value] : table) {
       const std::string what = message("parameters.", name, ".", entry.str());
@@ -252,6 +255,7 @@ void read_experiment(const Source& source, const std::string& name, const toml::
   }
   for (Measured& m : e.measured) {
     m.specimens = e.name;
+    m.kind = e.kind;
     m.curve = curve_of(m.name);
     try {
       m.check();

@@ -106,7 +106,7 @@ public:
     Eigen::VectorXd estimate = Eigen::VectorXd::Constant(dimension(), 0.5);
     double reach = setup_.first_reach;
     while (true) {
-      const ResponseSurface response{log.runs()};
+      const ResponseSurface response{log.runs(), {}, reach_of(space_, measured_)};
       estimate = most_probable(measured_, response, prior_, estimate);
       JointFit result = judged(log, response, estimate);
       if (result.runs + setup_.batch > setup_.most_runs || precise(result) || settled(result)) {

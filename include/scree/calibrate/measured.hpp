@@ -22,6 +22,8 @@ struct Measured {
   /// Observables that name the same specimens were measured on these together and scatter together; those
   /// that name others scatter by themselves.
   std::string specimens{};
+  /// Kind of experiment that it comes from; empty: one whose results any parameter may change.
+  std::string kind{};
   /// Curve that this is a point of, next to those points before and after it; empty: none.
   std::string curve{};
 

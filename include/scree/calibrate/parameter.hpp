@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 namespace scree {
 
@@ -15,6 +16,8 @@ struct Parameter {
   std::string unit{};
   double least = 0.0, most = 1.0;
   bool logarithmic = false; ///< for what spans decades; least must be above 0
+  /// Kinds of experiment whose results it can change; empty: all.
+  std::vector<std::string> touches{};
 
   /// \throws Error for bounds that are none.
   void check() const {

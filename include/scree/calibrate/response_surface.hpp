@@ -3,12 +3,14 @@
 /// How observables answer to parameters: kriging through noisy runs.
 
 #include "scree/calibrate/kriging.hpp"
+#include "scree/calibrate/reach.hpp"
 #include "scree/core/error.hpp"
 
 #include <Eigen/Dense>
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 #include <cstddef>
 #include <iterator>
 #include <map>
@@ -34,8 +36,10 @@ class ResponseSurface {
 public:
   /// \param runs for each observable, at least three more that show it than there are parameters
   /// \param null shares of those of the parameters, the last ones, whose effect is nothing there
+  /// \param reach of the parameters; all of them may change observables beyond its end
   /// \throws Error for too few runs.
-  explicit ResponseSurface(const std::vector<Run>& runs, const Eigen::VectorXd& null = {}) {
+  explicit ResponseSurface(const std::vector<Run>& runs, const Eigen::VectorXd& null = {},
+                           const Reach& reach = {}) {
     const Eigen::Index parameters = runs.empty() ? 0 : runs.front().at.size();
     const Eigen::Index m = runs.empty() ? 0 : runs.front().observed.size();
     const auto n = static_cast<Eigen::Index>(runs.size());
@@ -43,27 +47,38 @@ public:
     noise_ = Eigen::VectorXd::Zero(m);
     freedom_ = Eigen::VectorXd::Constant(m, static_cast<double>(n - parameters - 1));
     Eigen::MatrixXd left_out = Eigen::MatrixXd::Zero(n, m); // 0 where a run does not show the observable
-    // Observables that the same runs show share their frames.
-    std::map<std::vector<Eigen::Index>, std::vector<Eigen::Index>> observables_of;
+    std::vector<Eigen::Index> all(static_cast<std::size_t>(parameters));
+    std::iota(all.begin(), all.end(), Eigen::Index{0});
+    std::map<Frame, std::vector<Eigen::Index>> observables_of;
     for (Eigen::Index k = 0; k < m; ++k) {
-      std::vector<Eigen::Index> shown;
+      const auto of = static_cast<std::size_t>(k);
+      Frame frame{.touching = of < reach.size() ? reach[of] : all};
       for (Eigen::Index r = 0; r < n; ++r) {
         if (std::isfinite(runs[static_cast<std::size_t>(r)].observed[k])) {
-          shown.push_back(r);
+          frame.shown.push_back(r);
         }
       }
-      require_enough(static_cast<Eigen::Index>(shown.size()), parameters);
-      observables_of[std::move(shown)].push_back(k);
+      require_enough(static_cast<Eigen::Index>(frame.shown.size()), parameters);
+      observables_of[std::move(frame)].push_back(k);
     }
-    for (const auto& [shown, observables] : observables_of) {
-      const auto count = static_cast<Eigen::Index>(shown.size());
-      Eigen::MatrixXd at(count, parameters), observed(count, static_cast<Eigen::Index>(observables.size()));
+    for (const auto& [frame, observables] : observables_of) {
+      const auto count = static_cast<Eigen::Index>(frame.shown.size());
+      Eigen::MatrixXd at(count, static_cast<Eigen::Index>(frame.touching.size()));
+      Eigen::MatrixXd observed(count, static_cast<Eigen::Index>(observables.size()));
       for (Eigen::Index r = 0; r < count; ++r) {
-        const Run& run = runs[static_cast<std::size_t>(shown[static_cast<std::size_t>(r)])];
-        at.row(r) = run.at.transpose();
+        const Run& run = runs[static_cast<std::size_t>(frame.shown[static_cast<std::size_t>(r)])];
+        at.row(r) = run.at(frame.touching).transpose();
         observed.row(r) = run.observed(observables).transpose();
       }
-      left_out(shown, observables) = add_group(at, observed, observables, null);
+      // Those of the parameters that are effects, which are the last.
+      std::vector<Eigen::Index> effects;
+      for (const Eigen::Index k : frame.touching) {
+        if (k >= parameters - null.size()) {
+          effects.push_back(k - (parameters - null.size()));
+        }
+      }
+      left_out(frame.shown, observables) =
+          add_group(at, observed, observables, frame.touching, null(effects));
     }
     const Eigen::VectorXd size = left_out.colwise().norm().cwiseMax(1e-300);
     correlation_ = (size.cwiseInverse().asDiagonal() * (left_out.transpose() * left_out) *
@@ -85,7 +100,7 @@ public:
         }
       }
       if (!surfaces.empty()) {
-        out.shared_.push_back({shared.frame, std::move(surfaces)});
+        out.shared_.push_back({shared.frame, shared.touching, std::move(surfaces)});
       }
     }
     return out;
@@ -106,7 +121,7 @@ public:
     Prediction out{Eigen::VectorXd::Zero(noise_.size()), Eigen::VectorXd::Zero(noise_.size())};
     Eigen::VectorXd square = out.mean;
     for (const Shared& shared : shared_) {
-      const KrigingFrame::Place place = shared.frame->place(at);
+      const KrigingFrame::Place place = shared.frame->place(at(shared.touching));
       const double variance = shared.frame->variance(place);
       for (const Surface& s : shared.surfaces) {
         const double mean = s.surface.mean(place);
@@ -122,7 +137,7 @@ public:
   [[nodiscard]] Eigen::VectorXd mean(const Eigen::VectorXd& at) const {
     Eigen::VectorXd out = Eigen::VectorXd::Zero(noise_.size());
     for (const Shared& shared : shared_) {
-      const KrigingFrame::Place place = shared.frame->place(at);
+      const KrigingFrame::Place place = shared.frame->place(at(shared.touching));
       for (const Surface& s : shared.surfaces) {
         out[s.observable] += s.weight * s.surface.mean(place);
       }
@@ -133,9 +148,10 @@ public:
   [[nodiscard]] Eigen::MatrixXd slopes(const Eigen::VectorXd& at, std::span<const Eigen::Index> along) const {
     Eigen::MatrixXd out = Eigen::MatrixXd::Zero(noise_.size(), static_cast<Eigen::Index>(along.size()));
     for (const Shared& shared : shared_) {
-      const Eigen::MatrixXd slopes = shared.frame->slopes(at, along);
+      const auto [there, columns] = shared.places_of(along);
+      const Eigen::MatrixXd slopes = shared.frame->slopes(at(shared.touching), there);
       for (const Surface& s : shared.surfaces) {
-        out.row(s.observable) += s.weight * s.surface.slope(slopes, along).transpose();
+        out(s.observable, columns) += s.weight * s.surface.slope(slopes, there).transpose();
       }
     }
     return out;
@@ -158,7 +174,27 @@ private:
   };
   struct Shared {
     std::shared_ptr<const KrigingFrame> frame; ///< parts have it too
+    std::vector<Eigen::Index> touching;        ///< parameters that are its coordinates
     std::vector<Surface> surfaces{};
+
+    /// Which coordinates of the frame are among some of the parameters, and where among these.
+    [[nodiscard]] std::pair<std::vector<Eigen::Index>, std::vector<Eigen::Index>>
+    places_of(std::span<const Eigen::Index> parameters) const {
+      std::pair<std::vector<Eigen::Index>, std::vector<Eigen::Index>> out;
+      for (std::size_t p = 0; p < parameters.size(); ++p) {
+        const auto found = std::lower_bound(touching.begin(), touching.end(), parameters[p]);
+        if (found != touching.end() && *found == parameters[p]) {
+          out.first.push_back(found - touching.begin());
+          out.second.push_back(static_cast<Eigen::Index>(p));
+        }
+      }
+      return out;
+    }
+  };
+  /// Runs and parameters; observables that both are the same for share their surfaces' frames.
+  struct Frame {
+    std::vector<Eigen::Index> shown{}, touching{};
+    friend auto operator<=>(const Frame&, const Frame&) = default;
   };
 
   ResponseSurface() = default;
@@ -192,13 +228,15 @@ private:
 
   /// Takes the surfaces that the runs speak for.
   /// \param observed a column for each of `observables`
-  /// \param null of the last parameters, that are effects
+  /// \param touching parameters that are the columns of `at`
+  /// \param null of the last of these, that are effects
   /// \return what the likeliest surface of each leaves out
   Eigen::MatrixXd add_group(const Eigen::MatrixXd& at, const Eigen::MatrixXd& observed,
-                            const std::vector<Eigen::Index>& observables, const Eigen::VectorXd& null) {
+                            const std::vector<Eigen::Index>& observables,
+                            const std::vector<Eigen::Index>& touching, const Eigen::VectorXd& null) {
     std::vector<Shared> group;
     for (const EffectsKernel::Shape& shape : shapes(null.size() > 0)) {
-      group.push_back({std::make_shared<const KrigingFrame>(at, shape, null)});
+      group.push_back({std::make_shared<const KrigingFrame>(at, shape, null), touching});
     }
     Eigen::MatrixXd left_out(observed.rows(), observed.cols());
     for (Eigen::Index k = 0; k < observed.cols(); ++k) {

@@ -66,7 +66,7 @@ public:
                 DiagnosisSetup setup = {})
       : Diagnostician{space, measured, held_out,
                       ResponseSurface{with_observables(runs, measured.size() + held_out.size()),
-                                      space.null_of_causes()},
+                                      space.null_of_causes(), reach(space, measured, held_out)},
                       setup} {}
 
   Diagnostician(const Diagnostician&) = delete;
@@ -161,6 +161,11 @@ private:
       }
     }
     return runs;
+  }
+  static Reach reach(const ModelSpace& space, std::vector<Measured> observables,
+                     const std::vector<Measured>& held_out) {
+    observables.insert(observables.end(), held_out.begin(), held_out.end());
+    return reach_of(space.parameters(), observables);
   }
   static ResponseSurface part_of(const ResponseSurface& response, std::size_t first, std::size_t count) {
     return response.part(static_cast<Eigen::Index>(first), static_cast<Eigen::Index>(count));

@@ -14,9 +14,14 @@
 
 namespace scree {
 
+/// What a parameter is a parameter of. Each kind of experiment has all of these up to one that is its last:
+/// grains that are counted and weighed touch nothing, those that are dropped are no bed.
+enum class ExperimentPart { grains, contacts, bed, dragline };
+
 struct RockParameter {
   std::string_view name;
   std::string_view unit;
+  ExperimentPart of;
   bool logarithmic; ///< whether its effect goes by its proportion
   double (*get)(const RockModel&);
   void (*set)(RockModel&, double);
@@ -48,9 +53,10 @@ inline void set_share(Assembly& assembly, std::size_t shape, double share) {
 /// of the rock takes its shear stiffness along, and that of the rig, in proportion. Porosity and angle go
 /// nearly by the logarithm of friction (desk fidelity, 0.15 to 0.7), which few runs follow best.
 inline constexpr std::array rock_parameters{
-    RockParameter{"particle_density", "kg/m3", true, [](const RockModel& m) { return m.sample.rock.density; },
+    RockParameter{"particle_density", "kg/m3", ExperimentPart::grains, true,
+                  [](const RockModel& m) { return m.sample.rock.density; },
                   [](RockModel& m, double value) { m.sample.rock.density = value; }},
-    RockParameter{"normal_stiffness", "N/m", true,
+    RockParameter{"normal_stiffness", "N/m", ExperimentPart::contacts, true,
                   [](const RockModel& m) { return m.sample.rock.normal_stiffness; },
                   [](RockModel& m, double value) {
                     const double factor = value / m.sample.rock.normal_stiffness;
@@ -60,71 +66,83 @@ inline constexpr std::array rock_parameters{
                     }
                   }},
     RockParameter{
-        "shear_ratio", "", false,
+        "shear_ratio", "", ExperimentPart::contacts, false,
         [](const RockModel& m) { return m.sample.rock.shear_stiffness / m.sample.rock.normal_stiffness; },
         [](RockModel& m, double value) {
           for (Material* material : {&m.sample.rock, &m.sample.rig}) {
             material->shear_stiffness = value * material->normal_stiffness;
           }
         }},
-    RockParameter{"friction", "", true, [](const RockModel& m) { return m.sample.rock.friction; },
+    RockParameter{"friction", "", ExperimentPart::contacts, true,
+                  [](const RockModel& m) { return m.sample.rock.friction; },
                   [](RockModel& m, double value) { m.sample.rock.friction = value; }},
-    RockParameter{"rig_friction", "", true, [](const RockModel& m) { return m.sample.rig.friction; },
+    RockParameter{"rig_friction", "", ExperimentPart::contacts, true,
+                  [](const RockModel& m) { return m.sample.rig.friction; },
                   [](RockModel& m, double value) { m.sample.rig.friction = value; }},
     RockParameter{
-        "restitution", "", false, [](const RockModel& m) { return m.sample.rock.restitution; },
+        "restitution", "", ExperimentPart::contacts, false,
+        [](const RockModel& m) { return m.sample.rock.restitution; },
         [](RockModel& m, double value) { m.sample.rock.restitution = m.sample.rig.restitution = value; }},
-    RockParameter{"rolling_friction", "", false,
+    RockParameter{"rolling_friction", "", ExperimentPart::contacts, false,
                   [](const RockModel& m) { return m.sample.rock.rolling_friction; },
                   [](RockModel& m, double value) {
                     m.sample.rock.rolling_friction = m.sample.rig.rolling_friction = value;
                   }},
-    RockParameter{"rolling_damping", "", false,
+    RockParameter{"rolling_damping", "", ExperimentPart::contacts, false,
                   [](const RockModel& m) { return m.law.extension<RollingResistance>().damping; },
                   [](RockModel& m, double value) { m.law.extension<RollingResistance>().damping = value; }},
-    RockParameter{"local_damping", "", false, [](const RockModel& m) { return m.local_damping; },
+    RockParameter{"local_damping", "", ExperimentPart::contacts, false,
+                  [](const RockModel& m) { return m.local_damping; },
                   [](RockModel& m, double value) { m.local_damping = value; }},
-    RockParameter{"adhesion", "J/m2", false,
+    RockParameter{"adhesion", "J/m2", ExperimentPart::contacts, false,
                   [](const RockModel& m) { return m.law.extension<Adhesion>().work; },
                   [](RockModel& m, double value) { m.law.extension<Adhesion>().work = value; }},
-    RockParameter{"normal_exponent", "", false,
+    RockParameter{"normal_exponent", "", ExperimentPart::contacts, false,
                   [](const RockModel& m) { return m.law.extension<NormalExponent>().exponent; },
                   [](RockModel& m, double value) { m.law.extension<NormalExponent>().exponent = value; }},
-    RockParameter{"unloading_ratio", "", false,
+    RockParameter{"unloading_ratio", "", ExperimentPart::contacts, false,
                   [](const RockModel& m) { return m.law.extension<NormalHysteresis>().ratio; },
                   [](RockModel& m, double value) { m.law.extension<NormalHysteresis>().ratio = value; }},
-    RockParameter{"friction_rate", "s/m", false,
+    RockParameter{"friction_rate", "s/m", ExperimentPart::contacts, false,
                   [](const RockModel& m) { return m.law.extension<RateFriction>().slope; },
                   [](RockModel& m, double value) { m.law.extension<RateFriction>().slope = value; }},
-    RockParameter{"attrition", "1/J", false,
+    RockParameter{"attrition", "1/J", ExperimentPart::contacts, false,
                   [](const RockModel& m) { return m.law.extension<Attrition>().rate; },
                   [](RockModel& m, double value) { m.law.extension<Attrition>().rate = value; }},
-    RockParameter{"packing_friction", "", false, [](const RockModel& m) { return m.packing_friction; },
+    RockParameter{"packing_friction", "", ExperimentPart::bed, false,
+                  [](const RockModel& m) { return m.packing_friction; },
                   [](RockModel& m, double value) { m.packing_friction = value; }},
-    RockParameter{"size_factor", "", true, [](const RockModel& m) { return m.sample.assembly.size_factor(); },
+    RockParameter{"size_factor", "", ExperimentPart::grains, true,
+                  [](const RockModel& m) { return m.sample.assembly.size_factor(); },
                   [](RockModel& m, double value) {
                     m.sample.assembly = Assembly{m.sample.assembly.shapes(), value};
                   }},
-    RockParameter{"first_shape_share", "", false,
+    RockParameter{"first_shape_share", "", ExperimentPart::grains, false,
                   [](const RockModel& m) { return m.sample.assembly.shapes().front().fraction; },
                   [](RockModel& m, double value) { detail::set_share(m.sample.assembly, 0, value); }},
-    RockParameter{"second_shape_share", "", false,
+    RockParameter{"second_shape_share", "", ExperimentPart::grains, false,
                   [](const RockModel& m) { return detail::share_of(m.sample.assembly, 1); },
                   [](RockModel& m, double value) { detail::set_share(m.sample.assembly, 1, value); }},
-    RockParameter{"third_shape_share", "", false,
+    RockParameter{"third_shape_share", "", ExperimentPart::grains, false,
                   [](const RockModel& m) { return detail::share_of(m.sample.assembly, 2); },
                   [](RockModel& m, double value) { detail::set_share(m.sample.assembly, 2, value); }},
-    RockParameter{"rope_stiffness", "", true, [](const RockModel& m) { return m.gear.rope_stiffness; },
+    RockParameter{"rope_stiffness", "", ExperimentPart::dragline, true,
+                  [](const RockModel& m) { return m.gear.rope_stiffness; },
                   [](RockModel& m, double value) { m.gear.rope_stiffness = value; }},
-    RockParameter{"load_cell_gain", "", false, [](const RockModel& m) { return m.gear.load_cell_gain; },
+    RockParameter{"load_cell_gain", "", ExperimentPart::dragline, false,
+                  [](const RockModel& m) { return m.gear.load_cell_gain; },
                   [](RockModel& m, double value) { m.gear.load_cell_gain = value; }},
-    RockParameter{"load_cell_offset", "N", false, [](const RockModel& m) { return m.gear.load_cell_offset; },
+    RockParameter{"load_cell_offset", "N", ExperimentPart::dragline, false,
+                  [](const RockModel& m) { return m.gear.load_cell_offset; },
                   [](RockModel& m, double value) { m.gear.load_cell_offset = value; }},
-    RockParameter{"bucket_mass", "", true, [](const RockModel& m) { return m.gear.bucket_mass; },
+    RockParameter{"bucket_mass", "", ExperimentPart::dragline, true,
+                  [](const RockModel& m) { return m.gear.bucket_mass; },
                   [](RockModel& m, double value) { m.gear.bucket_mass = value; }},
-    RockParameter{"bucket_inertia", "", true, [](const RockModel& m) { return m.gear.bucket_inertia; },
+    RockParameter{"bucket_inertia", "", ExperimentPart::dragline, true,
+                  [](const RockModel& m) { return m.gear.bucket_inertia; },
                   [](RockModel& m, double value) { m.gear.bucket_inertia = value; }},
-    RockParameter{"floor_depth", "", false, [](const RockModel& m) { return m.gear.floor_depth; },
+    RockParameter{"floor_depth", "", ExperimentPart::dragline, false,
+                  [](const RockModel& m) { return m.gear.floor_depth; },
                   [](RockModel& m, double value) { m.gear.floor_depth = value; }},
 };
 
