@@ -407,7 +407,8 @@ private:
     }
   }
 
-  /// Predicts what was held out; a cause that fails there, or does worse than none, is none.
+  /// Predicts what was held out; a cause that fails there is none, nor one that all data together speak
+  /// against.
   void hold_out(Diagnosis& out, std::size_t best, Random& random) const {
     if (!held_out_response_) {
       return;
@@ -418,15 +419,17 @@ private:
                        setup_.form_tolerance);
     };
     out.held_out = held_out_gain(noise, of(0), of(best), setup_.confidence, setup_.draws, random);
-    const bool contradicted = out.held_out->p < setup_.least_adequacy, worse = out.held_out->high < 0.0;
-    if (contradicted || worse) {
+    const bool contradicted = out.held_out->p < setup_.least_adequacy;
+    const bool outweighed = log_odds(best) + out.held_out->log_odds < 0.0;
+    if (contradicted || outweighed) {
       out.finding = Finding::unexplained;
       out.named.clear();
       out.reason = "The best of the causes explains what was fitted, but fails on what was held out: ";
-      out.reason += contradicted
-                        ? message("it leaves more there than chance does (p = ", out.held_out->p, ").")
-                        : message("the base model predicts that better (gain ", out.held_out->gain, ", ",
-                                  out.held_out->low, " to ", out.held_out->high, ").");
+      out.reason +=
+          contradicted
+              ? message("it leaves more there than chance does (p = ", out.held_out->p, ").")
+              : message("that speaks for the base model more than the rest speaks for them (gain ",
+                        out.held_out->gain, ", ", out.held_out->low, " to ", out.held_out->high, ").");
     } else if (out.held_out->low <= 0.0) {
       // It may be right all the same: a cause that does not touch what was held out gains nothing there.
       out.reason += message(" What was held out neither shows nor refutes it (gain ", out.held_out->gain,

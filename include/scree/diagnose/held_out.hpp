@@ -56,6 +56,23 @@ inline HeldOutPrediction predicted(const Court& court, const Hypothesis& hypothe
   return out;
 }
 
+/// Natural logarithm of the probability density with which readings were predicted, but for a constant:
+/// multivariate Student, as their variances are estimates.
+inline double log_density(const Noise& noise, const HeldOutPrediction& prediction) {
+  const Readings& seen = noise.readings();
+  Eigen::MatrixXd scale = prediction.covariance;
+  double freedom = HUGE_VAL;
+  for (const Noise::Group& group : noise.groups()) {
+    const Eigen::VectorXd error = seen.variance(group.members).cwiseSqrt();
+    scale(group.members, group.members) += group.correlation.cwiseProduct(error * error.transpose());
+    freedom = std::min(freedom, group.freedom);
+  }
+  const Eigen::LLT<Eigen::MatrixXd> factor{scale};
+  const Eigen::VectorXd off = seen.mean - prediction.mean;
+  return -factor.matrixLLT().diagonal().array().log().sum() -
+         0.5 * (freedom + static_cast<double>(off.size())) * std::log1p(off.dot(factor.solve(off)) / freedom);
+}
+
 /// What a hypothesis gains over the base model on held-out data.
 struct HeldOutGain {
   /// Root mean square of predicted less measured, over the standard error of what was measured.
@@ -63,6 +80,7 @@ struct HeldOutGain {
   double gain = 0.0;                                 ///< 1 - after / before
   double low = 0.0, high = 0.0;                      ///< interval of that
   double p = 1.0;                                    ///< by which chance explains what is left
+  double log_odds = 0.0;                             ///< natural logarithm of the odds over the base model
   Eigen::VectorXd residuals_before, residuals_after; ///< of each observable, over the same
 };
 
@@ -122,6 +140,7 @@ inline HeldOutGain held_out_gain(const Noise& noise, const HeldOutPrediction& ba
   out.low = at(0.5 * (1.0 - confidence));
   out.high = at(0.5 * (1.0 + confidence));
   out.p = share_above(left, out.after);
+  out.log_odds = log_density(noise, extended) - log_density(noise, base);
   return out;
 }
 
