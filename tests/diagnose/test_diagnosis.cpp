@@ -142,7 +142,7 @@ TEST_CASE("hidden-effects: what is none of the causes is called unexplained, and
 TEST_CASE("hidden-effects: what explains the fitted data but predicts worse than the base model is refused") {
   toy::Data data = toy::data({0.5, -1.0, -1.0, -1.0}, 20);
   data.held_out = toy::data({}, 20).held_out; // of the same rock without the cause
-  const Diagnosis d = diagnosed(data);
+  const Diagnosis d = diagnosed(data, {.form_tolerance = 0.05});
   CHECK(d.ranking.front().causes == std::vector<std::size_t>{0});
   CHECK(d.finding == Finding::unexplained);
   CHECK(d.named.empty());

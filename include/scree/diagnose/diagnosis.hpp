@@ -35,7 +35,7 @@ struct DiagnosisSetup {
   double confidence = 0.9;         ///< of all intervals
   /// Share by which what a cause does to each observable may be off (one standard deviation), 0 to 1: the
   /// real one is hardly of the very form that the model gives it.
-  double form_tolerance = 0.05;
+  double form_tolerance = 0.1;
   double least_power = 0.5;      ///< with which half-way effects must be seen for "no discrepancy" to mean it
   std::size_t draws = 400;       ///< of each bootstrap
   std::size_t pair_partners = 4; ///< causes that are tried together with all others
