@@ -54,7 +54,7 @@ public:
   void show(Workbench& bench) const override {
     BulkDensityTest<> test{detail::prepared(setup_, detail::conditions_of(bench)),
                            {.step_safety = bench.step_safety()}};
-    const BulkDensityResult& r = bench.run(test);
+    const BulkDensityResult& r = bench.run(test, setup_.container.domain());
     write_profile(bench.folder(), r);
     auto& summary = bench.summary();
     summary["bulk_density_kg_m3"] = r.bulk_density;

@@ -181,7 +181,7 @@ public:
   void show(Workbench& bench) const override {
     Oedometer<> oedometer{detail::prepared(setup_, detail::conditions_of(bench)),
                           {.step_safety = bench.step_safety()}};
-    const OedometerResult& r = bench.run(oedometer);
+    const OedometerResult& r = bench.run(oedometer, setup_.container.domain());
     write_curve(bench.folder(), r, setup_.container.area());
     auto& summary = bench.summary();
     summary["slope_N_m"] = r.slope;

@@ -57,6 +57,14 @@ public:
     }
   }
 
+  /// The same, and ends it where a grain leaves the domain, too.
+  template <class Test>
+  decltype(auto) run(Test& test, const Eigen::AlignedBox3d& domain) {
+    bounds_.domain = domain;
+    watchdog_.emplace(bounds_);
+    return run(test);
+  }
+
   /// Draws NAME.svg and NAME.png from the tables; says what went wrong, if anything did.
   void plot(const std::string& name, const std::string& title, const std::vector<Panel>& panels);
 

@@ -1,4 +1,5 @@
 #include "scree/laboratory/bulk_density.hpp"
+#include "scree/measure/watchdog.hpp"
 
 #include <doctest/doctest.h>
 
@@ -38,6 +39,24 @@ TEST_CASE("physics: a container is filled to the brim, and its slices weigh what
     const Vector at = test.simulation().bodies().position(b);
     CHECK(at.head<2>().norm() < test.setup().container.radius);
     CHECK(at.z() > 0.0);
+  }
+}
+
+TEST_CASE("a grain that has left its container ends the run") {
+  const RoundContainer container{.radius = 0.1, .height = 0.08};
+  const Clump grain = desk_rock().assembly.clumps().front();
+  for (const Vector& at :
+       {Vector{0.0, 0.0, 0.3}, Vector{0.11, 0.0, 0.04}, Vector{0.0, -0.11, 0.04}, Vector{0.0, 0.0, -0.01}}) {
+    Simulation<> simulation{{.threads = 1}};
+    const MaterialId rock = simulation.add_material(desk_rock().rock);
+    simulation.add_wall({.name = "mantle", .surfaces = container.mantle(rock), .dynamics = Fixed{}});
+    simulation.add({.clump = &grain, .material = rock, .position = at});
+    Watchdog watchdog{{.domain = container.domain()}};
+    if (container.domain().contains(at)) {
+      CHECK_NOTHROW(watchdog.look(simulation));
+    } else {
+      CHECK_THROWS_WITH_AS(watchdog.look(simulation), doctest::Contains("is outside the domain"), Trouble);
+    }
   }
 }
 

@@ -7,6 +7,7 @@
 #include "scree/laboratory/drag_rig.hpp"
 #include "scree/laboratory/rock_sample.hpp"
 #include "scree/measure/state_hash.hpp"
+#include "scree/measure/watchdog.hpp"
 
 #include <doctest/doctest.h>
 
@@ -87,13 +88,12 @@ double wanted_time() {
 }
 
 /// The paper's rock, bucket and rope speed in as much of its bed as lies around the bucket. At the paper's
-/// stiffness, an hour would not see the bed at rest: the rock is 2,000 times softer, which takes the same
-/// work a step.
+/// stiffness an hour would not see the bed at rest: here it is that of the desk. Much softer rock is pressed
+/// through the plates of the bucket, which makes energy of nothing.
 DragSetup around_the_bucket() {
   DragSetup setup;
   for (Material* material : {&setup.rock, &setup.steel, &setup.floor}) {
-    material->normal_stiffness /= 2000.0;
-    material->shear_stiffness /= 2000.0;
+    material->normal_stiffness = material->shear_stiffness = 1e5;
   }
   setup.bed.rest.moving = 0.02;
   setup.bed_length = 1.2;
@@ -133,21 +133,26 @@ TEST_CASE(
     rig.place_bucket([](const auto&) {});
     const std::size_t grains = rig.simulation().bodies().size();
     test::DragLedger<Rig> ledger{rig};
+    Watchdog watchdog;
     double shown = 0.0;
     while (!rig.done() && elapsed() < wanted) {
-      rig.advance(0.01, [&](const auto&) { ledger.observe(); });
+      rig.advance(0.01, [&](const auto& simulation) {
+        ledger.observe();
+        watchdog(simulation);
+      });
       if (rig.drag() >= shown) {
         // Its neighbour lists have their size by now.
         const std::optional<double> memory = resident();
         first_memory = shown > 0.0 && !first_memory ? memory : first_memory;
-        std::printf("%6.0f s, drag %d: %.3f m, winch %.2f J, lost %.2f J, missing %.4f J, %.1f MB\n",
-                    elapsed(), drag, rig.drag(), ledger.put_in(), ledger.lost(), ledger.missing(),
-                    1e-6 * memory.value_or(0.0));
+        std::printf(
+            "%6.0f s, drag %d: %.3f m, winch %.2f J, lost %.2f J, missing %.4f J, overlap %.2f, %.1f MB\n",
+            elapsed(), drag, rig.drag(), ledger.put_in(), ledger.lost(), ledger.missing(),
+            watchdog.largest_overlap(), 1e-6 * memory.value_or(0.0));
         std::fflush(stdout);
-        shown += 0.05;
+        shown += 0.02;
         CHECK(rig.simulation().bodies().size() == grains);
         CHECK(outside(rig) == 0);
-        if (rig.drag() > 0.04) {
+        if (rig.drag() > 0.01) {
           CHECK(std::abs(ledger.missing()) < tolerance * ledger.put_in());
         }
         if (first_memory) {

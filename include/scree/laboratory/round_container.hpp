@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -32,6 +33,11 @@ struct RoundContainer {
     return {{Cylinder{.radius = radius}, material}};
   }
   [[nodiscard]] static std::vector<WallSurface> floor(MaterialId material) { return {{Plane{}, material}}; }
+
+  /// m, that holds the centres of all grains in it and of those that fall into it (SaneBounds::domain).
+  [[nodiscard]] Eigen::AlignedBox3d domain() const {
+    return {Vector{-radius, -radius, 0.0}, Vector{radius, radius, std::numeric_limits<double>::infinity()}};
+  }
 
   /// \throws Error for a dimension that is not above 0.
   void check() const {
