@@ -193,12 +193,9 @@ Json verdict(const Case& c) {
   }
   if (d.held_out) {
     const HeldOutGain& h = *d.held_out;
-    out["held_out_gain"] = {{"gain", h.gain},
-                            {"interval", {h.low, h.high}},
-                            {"before", h.before},
-                            {"after", h.after},
-                            {"p", h.p},
-                            {"log_odds_over_base", h.log_odds}};
+    out["held_out_gain"] = {{"gain", h.gain},     {"interval", {h.low, h.high}},
+                            {"before", h.before}, {"after", h.after},
+                            {"p", h.p},           {"log_odds_over_base", h.log_odds}};
     for (std::size_t k = 0; k < c.diagnosed.held_out.size(); ++k) {
       out["held_out_gain"]["residuals"][c.diagnosed.held_out[k].name] = {
           {"before", h.residuals_before[static_cast<Eigen::Index>(k)]},
