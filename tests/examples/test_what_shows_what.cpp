@@ -43,7 +43,7 @@ bool shows(const std::string& kind, const RockParameter& parameter) {
 
 } // namespace
 
-TEST_CASE("what a kind of experiment is not to show changes not a bit of it") {
+TEST_CASE("physics: what a kind of experiment is not to show changes not a bit of it") {
   const examples::Plan plan = micro();
   std::set<std::string> seen;
   const auto look_at = [&](const examples::PlannedExperiment& e) {
