@@ -10,13 +10,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <compare>
 #include <cstddef>
 #include <iterator>
 #include <map>
 #include <memory>
 #include <numeric>
 #include <span>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -194,7 +194,9 @@ private:
   /// Runs and parameters; observables that both are the same for share their surfaces' frames.
   struct Frame {
     std::vector<Eigen::Index> shown{}, touching{};
-    friend auto operator<=>(const Frame&, const Frame&) = default;
+    friend bool operator<(const Frame& a, const Frame& b) {
+      return std::tie(a.shown, a.touching) < std::tie(b.shown, b.touching);
+    }
   };
 
   ResponseSurface() = default;
