@@ -2,7 +2,6 @@
 /// \file
 /// Where the energy of a drag goes.
 
-#include "scree/measure/energy.hpp"
 #include "scree/walls/rope_coupled.hpp"
 #include "support/scenes.hpp"
 
