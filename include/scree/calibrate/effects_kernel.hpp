@@ -109,8 +109,11 @@ private:
 
   /// The covariance without the factor of one effect.
   [[nodiscard]] Eigen::VectorXd without(std::size_t left_out, const Eigen::VectorXd& there) const {
-    const Eigen::VectorXd distance2 =
-        (first_.rowwise() - there.head(first_.cols()).transpose()).rowwise().squaredNorm();
+    // Coordinate by coordinate: there may be none, and then the places have no storage to point into.
+    Eigen::VectorXd distance2 = Eigen::VectorXd::Zero(first_.rows());
+    for (Eigen::Index k = 0; k < first_.cols(); ++k) {
+      distance2.array() += (first_.col(k).array() - there[k]).square();
+    }
     Eigen::VectorXd out =
         shape_.ratio * shape_.ratio * (distance2.array() * (-0.5 / (shape_.length * shape_.length))).exp();
     for (std::size_t c = 0; c < effects_.size(); ++c) {

@@ -26,9 +26,10 @@ public:
     const Eigen::Index n = at.rows(), terms = at.cols() + 1;
     plane_.resize(n, terms);
     plane_ << Eigen::VectorXd::Ones(n), at;
+    const Eigen::MatrixXd places = at.transpose(); // whose columns are there even where no coordinate is
     Eigen::MatrixXd covariance = Eigen::MatrixXd::Identity(n, n);
     for (Eigen::Index i = 0; i < n; ++i) {
-      covariance.col(i) += process_.covariance(at.row(i).transpose());
+      covariance.col(i) += process_.covariance(places.col(i));
     }
     const Eigen::LLT<Eigen::MatrixXd> factor{covariance};
     inverse_ = factor.solve(Eigen::MatrixXd::Identity(n, n));

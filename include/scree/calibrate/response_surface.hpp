@@ -63,12 +63,12 @@ public:
     }
     for (const auto& [frame, observables] : observables_of) {
       const auto count = static_cast<Eigen::Index>(frame.shown.size());
-      Eigen::MatrixXd at(count, static_cast<Eigen::Index>(frame.touching.size()));
-      Eigen::MatrixXd observed(count, static_cast<Eigen::Index>(observables.size()));
+      Eigen::MatrixXd at(static_cast<Eigen::Index>(frame.touching.size()), count);
+      Eigen::MatrixXd observed(static_cast<Eigen::Index>(observables.size()), count);
       for (Eigen::Index r = 0; r < count; ++r) {
         const Run& run = runs[static_cast<std::size_t>(frame.shown[static_cast<std::size_t>(r)])];
-        at.row(r) = run.at(frame.touching).transpose();
-        observed.row(r) = run.observed(observables).transpose();
+        at.col(r) = run.at(frame.touching);
+        observed.col(r) = run.observed(observables);
       }
       // Those of the parameters that are effects, which are the last.
       std::vector<Eigen::Index> effects;
@@ -78,7 +78,7 @@ public:
         }
       }
       left_out(frame.shown, observables) =
-          add_group(at, observed, observables, frame.touching, null(effects));
+          add_group(at.transpose(), observed.transpose(), observables, frame.touching, null(effects));
     }
     const Eigen::VectorXd size = left_out.colwise().norm().cwiseMax(1e-300);
     correlation_ = (size.cwiseInverse().asDiagonal() * (left_out.transpose() * left_out) *
