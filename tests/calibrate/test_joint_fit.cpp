@@ -99,6 +99,37 @@ TEST_CASE("hidden-effects: a joint fit finds what data were made with, and its i
   CHECK(std::sqrt(friction) < 0.02);
 }
 
+TEST_CASE("a joint fit is surer of a parameter where it knows that others do not touch the experiment") {
+  // Few runs, and grains whose stiffness and friction cannot change what they weigh.
+  const auto weighed = [](const std::vector<double>& p, Random& random) -> std::vector<double> {
+    return {0.58 * p[0] * (1.0 + 0.01 * random.normal()), rock(p, random)[1]};
+  };
+  const std::vector<double> truth{1800.0, 1e5, 0.5};
+  double knowing = 0.0, ignorant = 0.0; // widths of the intervals of density
+  for (std::uint64_t draw = 0; draw < 20; ++draw) {
+    Random laboratory{100 + draw};
+    std::vector<Measured> measured{{.name = "weight", .logarithmic = true, .kind = "scale"},
+                                   {.name = "modulus", .logarithmic = true, .kind = "oedometer"}};
+    for (int n = 0; n < 20; ++n) {
+      const auto values = weighed(truth, laboratory);
+      measured[0].replicates.push_back(values[0]);
+      measured[1].replicates.push_back(values[1]);
+    }
+    for (const bool known : {true, false}) {
+      std::vector<Parameter> parameters = space();
+      if (known) {
+        parameters[1].touches = parameters[2].touches = {"oedometer"};
+      }
+      JointCalibration calibration{parameters, measured, {.first_runs = 12, .most_runs = 12, .seed = draw}};
+      const Estimate density = calibration.fit(model_of(weighed)).parameters.front();
+      (known ? knowing : ignorant) += density.high - density.low;
+    }
+  }
+  CAPTURE(knowing);
+  CAPTURE(ignorant);
+  CHECK(knowing < 0.9 * ignorant);
+}
+
 TEST_CASE("a joint fit uses that observables of the same specimens scatter together") {
   // A stiffer or tighter specimen raises the modulus; tightness lowers settlement, stiffness hardly.
   const auto pressed = [](const std::vector<double>& p, Random& random) -> std::vector<double> {
