@@ -108,6 +108,7 @@ fill.packing_friction = {:.3f}
 load.low_stress = {}
 load.high_stress = {}
 load.cycles = 2
+load.seated = true
 load.strain_rate = 0.2
 load.most_inertial_number = 1e-2
 load.pieces = {}

@@ -112,6 +112,8 @@ public:
                 "times as fast the lid comes down on the grains");
     options.add("load.approach_to", setup_.approach_to, {1e-6, 1.0},
                 "share of the low stress up to which it does");
+    options.add("load.seated", setup_.seated,
+                "grains keep the friction that they were poured with until the lid carries the low load");
     options.add("load.slope_from", setup_.slope_from, {0.0, 1.0},
                 "share of the way to high load at which the slope begins");
     options.add("load.slope_to", setup_.slope_to, {0.0, 1.0}, "and ends");

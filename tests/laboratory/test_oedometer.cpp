@@ -58,6 +58,39 @@ TEST_CASE("physics: an oedometer loads, unloads and loads again between its two 
   CHECK(std::sqrt(misfit / static_cast<double>(r.curve.size())) < 0.05 * most);
 }
 
+TEST_CASE("physics: many grains bear a lid that is seated, and give way once instead of while it is loaded") {
+  struct Bed {
+    double bearing = 0.0, permanent = 0.0; // contacts of the lid at the end, m after the first cycle
+  };
+  const auto mean_of_beds = [](bool seated) {
+    constexpr std::uint64_t beds = 3;
+    Bed mean;
+    for (std::uint64_t seed = 1; seed <= beds; ++seed) {
+      OedometerSetup setup = quick();
+      setup.seed = seed;
+      setup.seated = seated;
+      setup.fill.surplus = 0.5;
+      setup.fill.packing_friction = 0.1;
+      Oedometer<> oedometer{setup};
+      mean.permanent += oedometer.run().cycles.front().permanent / static_cast<double>(beds);
+      const auto& simulation = oedometer.simulation();
+      simulation.visit_contacts([&](const ContactView& contact) {
+        const bool lid = contact.with_wall && simulation.wall(contact.second).name == "lid";
+        mean.bearing += lid ? 1.0 / static_cast<double>(beds) : 0.0;
+      });
+      CHECK(simulation.materials().at(0).friction == setup.sample.rock.friction); // their own again
+    }
+    return mean;
+  };
+  const Bed seated = mean_of_beds(true), laid_on = mean_of_beds(false);
+  CAPTURE(seated.bearing);
+  CAPTURE(laid_on.bearing);
+  CAPTURE(seated.permanent);
+  CAPTURE(laid_on.permanent);
+  CHECK(seated.bearing > 1.3 * laid_on.bearing);
+  CHECK(seated.permanent < 0.5 * laid_on.permanent);
+}
+
 TEST_CASE("physics: four times the stiffness, density and load make four times the slope") {
   OedometerSetup setup = quick();
   const double once = Oedometer<>{setup}.run().slope;

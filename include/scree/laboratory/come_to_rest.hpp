@@ -130,19 +130,27 @@ Unrest settle(Simulation& simulation, double damping, const RestCriterion& crite
   return unrest;
 }
 
-/// The same under another friction as well.
+/// Does something while a material has another friction.
+/// \param factor on its friction, above 0
+template <class Simulation, class Action>
+decltype(auto) with_friction(Simulation& simulation, MaterialId material, double factor, Action action) {
+  const Material own = simulation.materials().at(material);
+  Material other = own;
+  other.friction *= factor;
+  simulation.change_material(material, other);
+  decltype(auto) outcome = action();
+  simulation.change_material(material, own);
+  return outcome;
+}
+
+/// The same as `settle` under another friction as well.
 /// \param material of the grains
 /// \param factor on its friction, above 0
 template <class Simulation, class Watch>
 Unrest settle_with_friction(Simulation& simulation, MaterialId material, double factor, double damping,
                             const RestCriterion& criterion, double least, Watch& watch) {
-  const Material own = simulation.materials().at(material);
-  Material poured = own;
-  poured.friction *= factor;
-  simulation.change_material(material, poured);
-  const Unrest unrest = settle(simulation, damping, criterion, least, watch);
-  simulation.change_material(material, own);
-  return unrest;
+  return with_friction(simulation, material, factor,
+                       [&] { return settle(simulation, damping, criterion, least, watch); });
 }
 
 } // namespace scree

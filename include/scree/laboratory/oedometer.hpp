@@ -3,6 +3,7 @@
 /// Confined compression in a cylinder (Coetzee et al. 2010, section 4.4).
 
 #include "scree/core/random.hpp"
+#include "scree/laboratory/come_to_rest.hpp"
 #include "scree/laboratory/oedometer_setup.hpp"
 #include "scree/simulation/simulation.hpp"
 
@@ -128,9 +129,14 @@ private:
             watch(s, std::as_const(stage));
           });
     };
-    lower(setup_.approach_to * setup_.low_stress, setup_.approach * speed());
-    lower(setup_.low_stress, speed());
-    result_.height = lid_height();
+    const auto to_low_load = [&] {
+      lower(setup_.approach_to * setup_.low_stress, setup_.approach * speed());
+      lower(setup_.low_stress, speed());
+      return lid_height();
+    };
+    result_.height = setup_.seated
+                         ? with_friction(simulation_, rock_, setup_.fill.packing_friction, to_low_load)
+                         : to_low_load();
     start_ = simulation_.time();
   }
 

@@ -23,9 +23,13 @@ struct OedometerSetup {
   double most_inertial_number = 1e-3; ///< of the loading, below which it counts as quasi-static; above 0
   double approach = 5.0;              ///< times as fast does the lid come down on the grains, 1 or above
   double approach_to = 0.5;           ///< share of the low stress up to which it does, 1e-6 to 1
-  double slope_from = 0.3;            ///< share of the way from low to high load at which the slope begins
-  double slope_to = 0.9;              ///< and at which it ends
-  std::uint64_t points = 200;         ///< of the curve, about, in each branch, 10 or more
+  /// Whether the grains still have the friction that they were poured with when the lid comes down on them,
+  /// up to the low load. Where that is small, they give way until many of them bear the lid, as in a specimen
+  /// whose surface was levelled; else a few do, and how these are seated is most of what is measured.
+  bool seated = false;
+  double slope_from = 0.3;    ///< share of the way from low to high load at which the slope begins
+  double slope_to = 0.9;      ///< and at which it ends
+  std::uint64_t points = 200; ///< of the curve, about, in each branch, 10 or more
   std::uint64_t seed = 1;
   unsigned threads = 0; ///< 0: one for each processor
 
