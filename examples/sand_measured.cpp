@@ -38,7 +38,7 @@ struct Wish {
 };
 
 /// The specimen that is simulated in place of the sand: radius [m], height [m], lowest and highest stress
-/// [Pa]; ours. It has some 350 grains; its lid is seated, as else it is on a few of them, and that is what
+/// [Pa]; ours. It has 310 to 370 grains; its lid is seated, as else it is on a few of them, and that is what
 /// shows.
 constexpr double radius = 0.1, height = 0.08, lowest = 3.2e3, highest = 4e4;
 

@@ -63,6 +63,7 @@ public:
     }
     for (const auto& [frame, observables] : observables_of) {
       const auto count = static_cast<Eigen::Index>(frame.shown.size());
+      // A column for each run: it is there even where no parameter touches the observables.
       Eigen::MatrixXd at(static_cast<Eigen::Index>(frame.touching.size()), count);
       Eigen::MatrixXd observed(static_cast<Eigen::Index>(observables.size()), count);
       for (Eigen::Index r = 0; r < count; ++r) {

@@ -130,15 +130,15 @@ Unrest settle(Simulation& simulation, double damping, const RestCriterion& crite
   return unrest;
 }
 
-/// Does something while a material has another friction.
+/// Does something while a material has another friction, and returns what came of it.
 /// \param factor on its friction, above 0
 template <class Simulation, class Action>
-decltype(auto) with_friction(Simulation& simulation, MaterialId material, double factor, Action action) {
+auto with_friction(Simulation& simulation, MaterialId material, double factor, Action action) {
   const Material own = simulation.materials().at(material);
   Material other = own;
   other.friction *= factor;
   simulation.change_material(material, other);
-  decltype(auto) outcome = action();
+  auto outcome = action();
   simulation.change_material(material, own);
   return outcome;
 }
