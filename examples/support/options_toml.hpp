@@ -42,7 +42,8 @@ inline toml::table parsed_toml(const std::string& file) {
     }
     return table;
   } catch (const toml::parse_error& error) {
-    throw file_error(file, error.source().begin.line, error.description());
+    // It quotes what it found, line breaks too.
+    throw file_error(file, error.source().begin.line, printable(error.description()));
   }
 }
 
@@ -52,14 +53,14 @@ inline double toml_number_of(const toml::node& node) {
   return integer != nullptr ? static_cast<double>(integer->get()) : node.as_floating_point()->get();
 }
 
-/// A node as a message shows it.
+/// A node as a message shows it: in one line.
 inline std::string toml_text_of(const toml::node& node) {
   if (node.is_table()) {
     return "a table";
   }
   std::ostringstream shown;
   node.visit([&](const auto& n) { shown << n; });
-  return shown.str();
+  return printable(shown.str());
 }
 
 /// Gives a parameter the value of a node. \throws Error that begins with `where` for one of another kind or
