@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace diagnose {
@@ -82,9 +83,13 @@ Diagnosed Diagnosing::operator()() {
     judge = judge_all();
     diagnosis = (*judge)();
   }
+  std::optional<Confirmation> confirmation;
+  if (request_.confirm > 1 && diagnosis.held_out && !diagnosis.named.empty()) {
+    confirmation = confirm(plan_, trials_, *judge, diagnosis, request_.confirm);
+  }
   trials_.close();
-  return {space_,         std::move(fitted), std::move(held_out),
-          std::move(log), std::move(judge),  std::move(diagnosis)};
+  return {space_,           std::move(fitted),    std::move(held_out),    std::move(log),
+          std::move(judge), std::move(diagnosis), std::move(confirmation)};
 }
 
 } // namespace diagnose

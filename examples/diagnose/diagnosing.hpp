@@ -2,6 +2,7 @@
 /// \file
 /// From a folder of measurements to a verdict.
 
+#include "diagnose/confirmation.hpp"
 #include "laboratory/plan.hpp"
 #include "laboratory/trials.hpp"
 
@@ -11,6 +12,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +27,7 @@ struct Request {
   /// Of all experiments beyond those, only where held-out data would refuse what explains all others: it may
   /// be that the surfaces are poor there.
   std::uint64_t second_look = 24;
+  std::uint64_t confirm = 8;  ///< runs of what was held out by base and extended model each; below 2: none
   std::uint64_t active = 2;   ///< causes at work in each of the first runs
   std::uint64_t fit_seed = 1; ///< of the runs
   double limit = 300.0;       ///< s of simulated time, beyond which a run counts as failed
@@ -41,6 +44,7 @@ struct Diagnosed {
   scree::RunLog log;
   std::unique_ptr<scree::Diagnostician> diagnostician; ///< to be asked further
   scree::Diagnosis diagnosis;                          ///< what it said
+  std::optional<Confirmation> confirmation{};          ///< where it names something, and predicts
 };
 
 /// A folder of measurements as it is read, and its simulations.

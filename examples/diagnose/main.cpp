@@ -56,6 +56,9 @@ void bind(ex::Options& options, Wish& w) {
   options.add(
       "second_look", w.request.second_look, {0.0, 1e6},
       "of all experiments beyond --runs, only where held-out data would refuse what explains the others");
+  options.add("confirm", w.request.confirm, {0.0, 1e6},
+              "simulations of what was held out with the base model and with what is named, whose error is "
+              "compared; below 2: none");
   options.add("active", w.request.active, {1.0, 100.0}, "causes at work in each of the first runs");
   options.add("fit_seed", w.request.fit_seed, {0.0, 9e15}, "of these runs");
   options.add("false_alarms", w.request.setup.false_alarms, {1e-3, 0.5},
@@ -98,6 +101,9 @@ void work(const Wish& wish, const ex::Options& options, ex::CrewOfProgram& crew)
   ex::write_json(folders.own / "verdict.json", diagnose::verdict(c));
   write_atomically(folders.own / "diagnosis.html", diagnose::page(c));
   fmt::print("{}\n{}\n", diagnose::sentence(c), diagnosis.reason);
+  if (const std::string gain = diagnose::gain_of_runs(c); !gain.empty()) {
+    fmt::print("{}\n", gain);
+  }
   if (const std::string next = diagnose::next_experiment(c); !next.empty()) {
     fmt::print("  to be measured next: {}\n", next);
   }

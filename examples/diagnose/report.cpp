@@ -97,6 +97,25 @@ std::vector<std::string> model_to_write(const Case& c) {
   return out;
 }
 
+std::string gain_of_runs(const Case& c) {
+  if (!c.diagnosed.confirmation) {
+    return "";
+  }
+  const Confirmation& there = *c.diagnosed.confirmation;
+  if (!there.gain) {
+    return fmt::format(
+        "What was held out could be simulated to its end {} times with the base model and {} times "
+        "with what is named: too few to tell a gain.",
+        there.base_runs, there.extended_runs);
+  }
+  const HeldOutGain& gain = *there.gain;
+  return fmt::format(
+      "By runs of what was held out, {} with the base model and {} with what is named: error {:.3g} "
+      "before, {:.3g} after, over the standard error of what was measured; gain {:.2f} ({:.2f} to "
+      "{:.2f}).",
+      there.base_runs, there.extended_runs, gain.before, gain.after, gain.gain, gain.low, gain.high);
+}
+
 std::string next_experiment(const Case& c) {
   const Diagnosis& d = c.diagnosed.diagnosis;
   constexpr double telling = 2.0; // standard deviations of one measurement; ours
@@ -128,6 +147,16 @@ std::string next_experiment(const Case& c) {
   }
   return out;
 }
+
+namespace {
+
+Json gain_json(const HeldOutGain& gain) {
+  return {{"gain", gain.gain},     {"interval", {gain.low, gain.high}},
+          {"before", gain.before}, {"after", gain.after},
+          {"p", gain.p},           {"log_odds_over_base", gain.log_odds}};
+}
+
+} // namespace
 
 Json verdict(const Case& c) {
   const Diagnosis& d = c.diagnosed.diagnosis;
@@ -193,13 +222,18 @@ Json verdict(const Case& c) {
   }
   if (d.held_out) {
     const HeldOutGain& h = *d.held_out;
-    out["held_out_gain"] = {{"gain", h.gain},     {"interval", {h.low, h.high}},
-                            {"before", h.before}, {"after", h.after},
-                            {"p", h.p},           {"log_odds_over_base", h.log_odds}};
+    out["held_out_gain"] = gain_json(h);
     for (std::size_t k = 0; k < c.diagnosed.held_out.size(); ++k) {
       out["held_out_gain"]["residuals"][c.diagnosed.held_out[k].name] = {
           {"before", h.residuals_before[static_cast<Eigen::Index>(k)]},
           {"after", h.residuals_after[static_cast<Eigen::Index>(k)]}};
+    }
+  }
+  if (const auto& confirmation = c.diagnosed.confirmation) {
+    Json& runs = out["held_out_gain"]["by_runs"];
+    runs["runs"] = {{"before", confirmation->base_runs}, {"after", confirmation->extended_runs}};
+    if (const auto& gain = confirmation->gain) {
+      runs.update(gain_json(*gain));
     }
   }
   out["next_experiment"] = next_experiment(c);
@@ -323,9 +357,9 @@ std::string held_out_table(const Case& c) {
   const HeldOutGain& h = *c.diagnosed.diagnosis.held_out;
   std::string out =
       fmt::format("<p>Root mean square error, over the standard error of what was measured: {:.2f} "
-                  "before, {:.2f} after; gain {:.0f} % ({:.0f} to {:.0f} %).</p>\n<table>"
-                  "<tr><th>held out<th>before<th>after<th></tr>\n",
-                  h.before, h.after, 100.0 * h.gain, 100.0 * h.low, 100.0 * h.high);
+                  "before, {:.2f} after; gain {:.0f} % ({:.0f} to {:.0f} %), as predicted from the runs of "
+                  "this diagnosis. {}</p>\n<table><tr><th>held out<th>before<th>after<th></tr>\n",
+                  h.before, h.after, 100.0 * h.gain, 100.0 * h.low, 100.0 * h.high, gain_of_runs(c));
   for (std::size_t k = 0; k < c.diagnosed.held_out.size(); ++k) {
     const double a = h.residuals_before[static_cast<Eigen::Index>(k)],
                  b = h.residuals_after[static_cast<Eigen::Index>(k)];

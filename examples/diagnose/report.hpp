@@ -24,6 +24,8 @@ struct Case {
 std::string sentence(const Case& c);
 /// The type to write for the model with the causes named, and their parameters; empty where none is.
 std::vector<std::string> model_to_write(const Case& c);
+/// What was gained on held-out data by runs of both models there; empty where none were made.
+std::string gain_of_runs(const Case& c);
 /// What to measure next; empty where nothing is left open.
 std::string next_experiment(const Case& c);
 

@@ -152,6 +152,43 @@ TEST_CASE("hidden-effects: what explains the fitted data but predicts worse than
   CHECK(d.reason.find("held out") != std::string::npos);
 }
 
+TEST_CASE("hidden-effects: runs of what was held out show the gain that surfaces predict, more surely the "
+          "more there are") {
+  const toy::Data data = toy::data({0.5, -1.0, -1.0, -1.0}, 20);
+  Diagnostician judge{space(), data.fitted, data.held_out, shared_runs(), {.draws = 200}};
+  const Diagnosis d = judge();
+  REQUIRE(d.finding == Finding::cause);
+  Random random{7, "runs of what was held out"};
+  const auto runs = [&](const Ranked& at, std::size_t count) {
+    std::vector<Eigen::VectorXd> out;
+    for (std::size_t n = 0; n < count; ++n) {
+      const std::vector<double> values = toy::observed(at.values, random, 1.0);
+      Eigen::VectorXd run(toy::held_out);
+      for (std::size_t k = 0; k < toy::held_out; ++k) {
+        run[static_cast<Eigen::Index>(k)] = data.held_out[k].compared(values[data.fitted.size() + k]);
+      }
+      out.push_back(run);
+    }
+    return out;
+  };
+  const Ranked& extended = d.ranking[d.named.front()];
+  const auto base =
+      std::find_if(d.ranking.begin(), d.ranking.end(), [](const Ranked& r) { return r.causes.empty(); });
+  const HeldOutGain few = judge.gain_of_runs(runs(*base, 3), runs(extended, 3));
+  const HeldOutGain many = judge.gain_of_runs(runs(*base, 100), runs(extended, 100));
+  CHECK(many.before > 2.0 * many.after);
+  CHECK(many.low > 0.0);
+  CHECK(many.low < many.gain);
+  CHECK(many.gain < many.high);
+  CHECK(many.high - many.low < few.high - few.low);
+  CHECK(d.held_out->low < many.high); // the two intervals overlap
+  CHECK(many.low < d.held_out->high);
+  CHECK_THROWS_WITH_AS((void)judge.gain_of_runs(runs(*base, 1), runs(extended, 2)),
+                       "runs of what was held out = 1 is outside [2, 1000000000]", Error);
+  const Diagnostician of_nothing{space(), data.fitted, {}, shared_runs(), {.draws = 100}};
+  CHECK_THROWS_AS((void)of_nothing.gain_of_runs(runs(*base, 2), runs(extended, 2)), Error);
+}
+
 TEST_CASE("hidden-effects: a cause of somewhat another form is named, unless its form is held to be known") {
   toy::Data data = toy::data({0.8, -1.0, -1.0, -1.0}, 23);
   const toy::Data without = toy::data({}, 23);

@@ -97,6 +97,20 @@ public:
     return look_alikes(point_of(cause, parameter.share(value)), setup_.draws, random);
   }
 
+  /// What an extended model gains on the held-out data where it and the base model were run there.
+  /// \param base, extended runs with the observables that were held out, as they are compared
+  /// \throws Error for less than two runs of either, or where nothing was held out.
+  [[nodiscard]] HeldOutGain gain_of_runs(const std::vector<Eigen::VectorXd>& base,
+                                         const std::vector<Eigen::VectorXd>& extended) const {
+    if (!held_out_response_) {
+      throw Error("diagnosis: nothing was held out, on which something could be gained");
+    }
+    const Noise noise{held_out_, *held_out_response_};
+    Random random{setup_.seed, "diagnosis, gain of runs"};
+    return held_out_gain(noise, mean_of_runs(noise, base), mean_of_runs(noise, extended), setup_.confidence,
+                         setup_.draws, random);
+  }
+
   [[nodiscard]] Diagnosis operator()() {
     Random random{setup_.seed, "diagnosis"};
     Diagnosis out;

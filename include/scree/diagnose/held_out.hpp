@@ -2,6 +2,7 @@
 /// \file
 /// How well hypotheses predict what they were not fitted to.
 
+#include "scree/core/error.hpp"
 #include "scree/core/random.hpp"
 #include "scree/diagnose/bootstrap.hpp"
 
@@ -53,6 +54,31 @@ inline HeldOutPrediction predicted(const Court& court, const Hypothesis& hypothe
   out.mean /= sum;
   out.covariance += second - out.mean * out.mean.transpose();
   out.covariance.diagonal().array() += 1e-24; // so that it has a root without any noise too
+  return out;
+}
+
+/// Observables that were held out, as runs of one model give them: the mean, as surely as they scatter.
+/// \param runs each with these observables, as they are compared
+/// \throws Error for less than two runs
+inline HeldOutPrediction mean_of_runs(const Noise& noise, const std::vector<Eigen::VectorXd>& runs) {
+  require("runs of what was held out", static_cast<double>(runs.size()), {2.0, 1e9});
+  const auto count = static_cast<double>(runs.size());
+  const Eigen::Index m = noise.readings().mean.size();
+  HeldOutPrediction out{Eigen::VectorXd::Zero(m), Eigen::MatrixXd::Zero(m, m)};
+  for (const Eigen::VectorXd& run : runs) {
+    out.mean += run / count;
+  }
+  Eigen::VectorXd squares = Eigen::VectorXd::Zero(m);
+  for (const Eigen::VectorXd& run : runs) {
+    squares += (run - out.mean).cwiseAbs2();
+  }
+  const Eigen::VectorXd error = (squares / (count * (count - 1.0))).cwiseSqrt();
+  for (const Noise::Group& group : noise.groups()) {
+    const Eigen::VectorXd of_group = error(group.members);
+    out.covariance(group.members, group.members) =
+        group.correlation.cwiseProduct(of_group * of_group.transpose());
+  }
+  out.covariance.diagonal().array() += 1e-24; // so that it has a root without any scatter too
   return out;
 }
 
