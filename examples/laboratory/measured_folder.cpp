@@ -9,9 +9,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <set>
+#include <string>
+#include <system_error>
 #include <utility>
+#include <vector>
 
 namespace scree::examples {
 
@@ -57,6 +61,15 @@ struct Source {
     }
     if (out.empty()) {
       refuse(node, message(name, " must be a list of texts"));
+    }
+    return out;
+  }
+  /// A table that `node` names, beside this file.
+  [[nodiscard]] std::filesystem::path table_file(const toml::node& node, const std::string& name) const {
+    auto out = std::filesystem::path{file}.parent_path() / name;
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(out, error)) {
+      refuse(node, message("no such file: ", out.string()));
     }
     return out;
   }
@@ -152,11 +165,10 @@ std::string curve_of(const std::string& observable) {
 
 /// Each curve is a replicate, reduced as those of the simulations are. What some of them do not show is left
 /// out.
-void read_curves(const std::vector<std::string>& files, const std::filesystem::path& folder,
-                 PlannedExperiment& e) {
+void read_curves(const std::vector<std::filesystem::path>& files, PlannedExperiment& e) {
   std::vector<std::vector<double>> replicates;
-  for (const std::string& name : files) {
-    replicates.push_back(e.experiment->reduce(read_csv(folder / name)));
+  for (const std::filesystem::path& file : files) {
+    replicates.push_back(e.experiment->reduce(read_csv(file)));
   }
   const auto observables = e.experiment->observables();
   for (std::size_t k = 0; k < observables.size(); ++k) {
@@ -172,7 +184,7 @@ void read_curves(const std::vector<std::string>& files, const std::filesystem::p
       e.measured.push_back(std::move(measured));
     }
   }
-  e.curve = folder / files.front();
+  e.curve = files.front();
 }
 
 void keep_only(const Source& source, const toml::node& node, const std::vector<std::string>& wanted,
@@ -232,9 +244,13 @@ void read_experiment(const Source& source, const std::string& name, const toml::
     return;
   }
   if (data != nullptr) {
-    read_data(plan.folder / source.text(*data, "data"), e);
+    read_data(source.table_file(*data, source.text(*data, "data")), e);
   } else {
-    read_curves(source.texts(*curves, "curves"), plan.folder, e);
+    std::vector<std::filesystem::path> files;
+    for (const std::string& table_name : source.texts(*curves, "curves")) {
+      files.push_back(source.table_file(*curves, table_name));
+    }
+    read_curves(files, e);
   }
   if (const toml::node* use = table.get("use")) {
     keep_only(source, *use, source.texts(*use, "use"), e);

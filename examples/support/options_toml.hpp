@@ -42,8 +42,7 @@ inline toml::table parsed_toml(const std::string& file) {
     }
     return table;
   } catch (const toml::parse_error& error) {
-    // It quotes what it found, line breaks too.
-    throw file_error(file, error.source().begin.line, printable(error.description()));
+    throw file_error(file, error.source().begin.line, error.description());
   }
 }
 

@@ -301,7 +301,10 @@ TEST_CASE("a fault in a folder of measurements is told by file and line") {
   says(complaint(top + "data = \"heap.csv\"\nfunnel.sold = 1.0\n"), "calibration.toml:13: ");
   says(complaint(top + "funnel.sold = 1.0\ndata = \"heap.csv\"\n"), "did you mean 'funnel.solid'?");
   says(complaint(top + "data = \"heap.csv\"\nfunnel.rim = \"wide\"\n"), "calibration.toml:13: ");
+  says(complaint(top + "data = \"none.csv\"\n"), "calibration.toml:12: no such file: ");
   says(complaint(top + "data = \"none.csv\"\n"), "none.csv");
+  says(complaint(top + "data = \"/none.csv\"\n"), "calibration.toml:12: no such file: /none.csv");
+  says(complaint(top + "curves = [\"heap.csv\", \"two\\nlines.csv\"]\n"), "two?lines.csv");
   says(complaint(top + "data = \"heap.csv\"\n", "angle\n30\n31\n"), "column angle is nothing that");
   says(complaint(top + "data = \"heap.csv\"\n", "angle_deg\n30\n"), "a single replicate needs an error");
   says(complaint(top + "data = \"heap.csv\"\nuse = [\"hysteresis_J\"]\n"), "'hysteresis_J' was not measured");

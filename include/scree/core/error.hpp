@@ -43,10 +43,11 @@ inline std::string printable(std::string_view text, std::size_t most = 1000) {
   return out + (text.size() > most ? "..." : "");
 }
 
-/// An error in a file, with the line or record where it was found ("bed.stl:12: ...").
+/// An error in a file, with the line or record where it was found ("bed.stl:12: ..."), in one line whatever
+/// `what` quotes of the file.
 [[nodiscard]] inline Error file_error(const std::filesystem::path& file, std::size_t line,
                                       std::string_view what) {
-  return Error(message(file.string(), ":", line, ": ", what));
+  return Error(message(file.string(), ":", line, ": ", printable(what)));
 }
 
 /// A closed interval that a parameter must lie in, with its unit for messages.
