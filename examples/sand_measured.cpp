@@ -32,7 +32,7 @@ struct Group {
 };
 
 struct Wish {
-  std::string reference, out, held_out = "between";
+  std::string reference, out, held_out = "dense";
   Group loose{"loose", {1.0, 2.0}}, between{"between", {4.0, 5.0, 7.0, 8.0}}, dense{"dense", {10.0, 12.0}};
   std::uint64_t pieces = 4;
 };

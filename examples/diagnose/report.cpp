@@ -151,9 +151,10 @@ std::string next_experiment(const Case& c) {
 namespace {
 
 Json gain_json(const HeldOutGain& gain) {
-  return {{"gain", gain.gain},     {"interval", {gain.low, gain.high}},
-          {"before", gain.before}, {"after", gain.after},
-          {"p", gain.p},           {"log_odds_over_base", gain.log_odds}};
+  return {{"gain", gain.gain},
+          {"interval", {gain.low, gain.high}},
+          {"before", gain.before},
+          {"after", gain.after}};
 }
 
 } // namespace
@@ -223,6 +224,7 @@ Json verdict(const Case& c) {
   if (d.held_out) {
     const HeldOutGain& h = *d.held_out;
     out["held_out_gain"] = gain_json(h);
+    out["held_out_gain"].update({{"p", h.p}, {"log_odds_over_base", h.log_odds}});
     for (std::size_t k = 0; k < c.diagnosed.held_out.size(); ++k) {
       out["held_out_gain"]["residuals"][c.diagnosed.held_out[k].name] = {
           {"before", h.residuals_before[static_cast<Eigen::Index>(k)]},
@@ -231,6 +233,7 @@ Json verdict(const Case& c) {
   }
   if (const auto& confirmation = c.diagnosed.confirmation) {
     Json& runs = out["held_out_gain"]["by_runs"];
+    // Of parameters as they are: without what is not known of them, nothing can be said of chance.
     runs["runs"] = {{"before", confirmation->base_runs}, {"after", confirmation->extended_runs}};
     if (const auto& gain = confirmation->gain) {
       runs.update(gain_json(*gain));

@@ -14,6 +14,7 @@
 
 using namespace scree;
 
+namespace confirmation_tests {
 namespace {
 
 // Rock weighed in water needs no simulation. Small batches and a large one, of grains that are larger than
@@ -81,3 +82,5 @@ TEST_CASE("what is named is run where nothing was fitted, and so is the base mod
   CHECK_FALSE(unconfirmed.confirmation);
   CHECK(diagnose::gain_of_runs({unconfirmed, 0.0}).empty());
 }
+
+} // namespace confirmation_tests

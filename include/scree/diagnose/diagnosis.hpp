@@ -97,7 +97,9 @@ public:
     return look_alikes(point_of(cause, parameter.share(value)), setup_.draws, random);
   }
 
-  /// What an extended model gains on the held-out data where it and the base model were run there.
+  /// What an extended model gains on the held-out data where it and the base model were run there, each at
+  /// one point. What is not known of their parameters does not count: `p` and `log_odds` of it mean nothing.
+  ///
   /// \param base, extended runs with the observables that were held out, as they are compared
   /// \throws Error for less than two runs of either, or where nothing was held out.
   [[nodiscard]] HeldOutGain gain_of_runs(const std::vector<Eigen::VectorXd>& base,
