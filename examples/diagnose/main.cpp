@@ -56,9 +56,10 @@ void bind(ex::Options& options, Wish& w) {
   options.add(
       "second_look", w.request.second_look, {0.0, 1e6},
       "of all experiments beyond --runs, only where held-out data would refuse what explains the others");
-  options.add("confirm", w.request.confirm, {0.0, 1e6},
-              "simulations of what was held out with the base model and with what is named, whose error is "
-              "compared; below 2: none");
+  options.add(
+      "confirm", w.request.confirm, {0.0, 1e6},
+      "simulations beyond --runs of what was held out, with the base model and with what is named each, "
+      "whose error is compared; below 2: none");
   options.add("active", w.request.active, {1.0, 100.0}, "causes at work in each of the first runs");
   options.add("fit_seed", w.request.fit_seed, {0.0, 9e15}, "of these runs");
   options.add("false_alarms", w.request.setup.false_alarms, {1e-3, 0.5},
