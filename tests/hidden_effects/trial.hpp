@@ -112,6 +112,7 @@ inline Trial trial(const DataSet& set, const std::filesystem::path& runs, unsign
   make_measured::measure(set.order, folder.path(), scree::Campaign{runs, workers}, false);
   diagnose::Request request{.measured = (folder / "measured").string(), .runs = 200, .first_runs = 200};
   request.setup.draws = 200;
+  request.confirm = 0; // what is scored is what is known without
   diagnose::Diagnosed diagnosed = diagnose::Diagnosing{request, scree::Campaign{runs, workers}, false}();
   Trial out{set.kind, set.order, read_truth(folder / "truth.json"), std::move(diagnosed), {}};
   if (set.kind == Kind::one) {
