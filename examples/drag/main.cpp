@@ -23,6 +23,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <vector>
@@ -68,6 +69,9 @@ std::string text_of(const ex::Options& options) {
   Json input = options.json();
   for (const char* name : {"out", "threads", "checkpoint_interval"}) {
     input.erase(name);
+  }
+  for (auto entry = input.begin(); entry != input.end();) {
+    entry = entry.key().starts_with("watch.") ? input.erase(entry) : std::next(entry);
   }
   return input.dump();
 }

@@ -14,7 +14,8 @@
 
 namespace drag {
 
-/// The command line of a run that was begun in `folder`, and what else may be given to go on with it.
+/// The command line of a run that was begun in `folder`, and what else may be given to go on with it: what
+/// changes no result, such as the bounds that ended it.
 /// \throws Error for anything else, where nothing was begun, and where all was done.
 inline std::vector<const char*> command_of(const std::filesystem::path& folder, const std::string& input,
                                            int argc, char** argv) {
@@ -25,7 +26,7 @@ inline std::vector<const char*> command_of(const std::filesystem::path& folder, 
     const bool alone = name.size() == word.size();
     if (name == "--resume") {
       k += alone ? 1 : 0;
-    } else if (name == "--threads" || name == "--checkpoint_interval") {
+    } else if (name == "--threads" || name == "--checkpoint_interval" || name.starts_with("--watch.")) {
       out.push_back(argv[k]);
       if (alone && k + 1 < argc) {
         out.push_back(argv[++k]);
@@ -33,7 +34,7 @@ inline std::vector<const char*> command_of(const std::filesystem::path& folder, 
     } else {
       throw scree::Error(scree::message("command line: ", word,
                                         " cannot be given with --resume, which takes all from ", input,
-                                        "; only --threads and --checkpoint_interval can"));
+                                        "; only --threads, --checkpoint_interval and --watch.NAME can"));
     }
   }
   const auto summary = folder / "summary.json";

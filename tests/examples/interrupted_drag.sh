@@ -1,8 +1,8 @@
 #!/bin/bash
-# interrupted_drag.sh PROGRAM FOLDER killed|told|full|read_only [TIMES]
+# interrupted_drag.sh PROGRAM FOLDER killed|told|full|read_only|watched [TIMES]
 # A drag that is interrupted and gone on with ends in the same files as one that is left alone. Interrupted: by
-# SIGKILL at random moments, by SIGTERM, by a disk that is full, by a disk that can only be read. Returns 77
-# where no small disk can be had for the last two.
+# SIGKILL at random moments, by SIGTERM, by a disk that is full, by a disk that can only be read, by a bound of the watch
+# that is widened then. Returns 77 where no small disk can be had.
 set -u
 program=$1 folder=$2 how=$3 times=${4:-50}
 options=(--threads 1 --rock.size_factor 3 --bed.length 0.8 --bed.width 0.4 --bed.depth 0.2 --bed.unbalanced 0.3
@@ -106,6 +106,15 @@ read_only)
     go && fail "went on on a disk that can only be read"
     mount -o remount,rw "$disk"
   done
+  ;;
+watched)
+  "$program" "${options[@]}" "${checkpoints[@]}" --watch.overlap 0.05 --out "$run" >"$folder/log" 2>&1
+  [ $? -eq 2 ] && grep -q "above watch.overlap = 0.05" "$folder/log" || fail "the watch did not end it"
+  [ -e "$run/checkpoint" ] || fail "nothing to go on from"
+  go && fail "went on beyond the bound"
+  rm "$run"/trouble.*
+  "$program" --resume "$run" --watch.overlap 0.3 "${checkpoints[@]}" >"$folder/log" 2>&1 || fail "did not go on"
+  grep -q "goes on at" "$folder/log" || fail "began anew"
   ;;
 esac
 
