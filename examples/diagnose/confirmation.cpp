@@ -15,7 +15,7 @@ namespace ex = scree::examples;
 
 namespace {
 
-constexpr std::uint64_t first_there = 3000; // ours, and none that a fit draws
+constexpr std::uint64_t first_confirming = 3000; // ours, and none that a fit draws
 
 /// The observables that were held out, as they are compared, of all runs that show each of them.
 std::vector<Eigen::VectorXd> runs_at(const std::vector<double>& parameters, const ex::Plan& plan,
@@ -29,7 +29,7 @@ std::vector<Eigen::VectorXd> runs_at(const std::vector<double>& parameters, cons
   std::vector<ex::Trials::Replicate> wanted;
   for (std::size_t n = 0; n < replicates; ++n) {
     for (const ex::PlannedExperiment* e : held_out) {
-      wanted.push_back({*e, parameters, first_there + n});
+      wanted.push_back({*e, parameters, first_confirming + n});
     }
   }
   const std::vector<RunOutcome> outcomes = trials.replicates(wanted);

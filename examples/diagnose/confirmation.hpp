@@ -15,7 +15,7 @@ namespace diagnose {
 /// Surfaces know what was held out only roughly, as the runs they come from are spread over all causes.
 struct Confirmation {
   std::size_t base_runs = 0, extended_runs = 0; ///< in which all that was held out could be seen
-  std::optional<scree::HeldOutGain> gain{};     ///< none for less than two runs of either
+  std::optional<scree::Gain> gain{};            ///< none for less than two runs of either
 };
 
 /// Simulates all that was held out with the base model and with what is named first, each at its best point.

@@ -108,7 +108,7 @@ std::string gain_of_runs(const Case& c) {
         "with what is named: too few to tell a gain.",
         there.base_runs, there.extended_runs);
   }
-  const HeldOutGain& gain = *there.gain;
+  const Gain& gain = *there.gain;
   return fmt::format(
       "By runs of what was held out, {} with the base model and {} with what is named: error {:.3g} "
       "before, {:.3g} after, over the standard error of what was measured; gain {:.2f} ({:.2f} to "
@@ -150,7 +150,7 @@ std::string next_experiment(const Case& c) {
 
 namespace {
 
-Json gain_json(const HeldOutGain& gain) {
+Json gain_json(const Gain& gain) {
   return {{"gain", gain.gain},
           {"interval", {gain.low, gain.high}},
           {"before", gain.before},
@@ -233,7 +233,6 @@ Json verdict(const Case& c) {
   }
   if (const auto& confirmation = c.diagnosed.confirmation) {
     Json& runs = out["held_out_gain"]["by_runs"];
-    // Of parameters as they are: without what is not known of them, nothing can be said of chance.
     runs["runs"] = {{"before", confirmation->base_runs}, {"after", confirmation->extended_runs}};
     if (const auto& gain = confirmation->gain) {
       runs.update(gain_json(*gain));

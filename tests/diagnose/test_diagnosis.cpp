@@ -174,8 +174,8 @@ TEST_CASE("hidden-effects: runs of what was held out show the gain that surfaces
   const Ranked& extended = d.ranking[d.named.front()];
   const auto base =
       std::find_if(d.ranking.begin(), d.ranking.end(), [](const Ranked& r) { return r.causes.empty(); });
-  const HeldOutGain few = judge.gain_of_runs(runs(*base, 3), runs(extended, 3));
-  const HeldOutGain many = judge.gain_of_runs(runs(*base, 100), runs(extended, 100));
+  const Gain few = judge.gain_of_runs(runs(*base, 3), runs(extended, 3));
+  const Gain many = judge.gain_of_runs(runs(*base, 100), runs(extended, 100));
   CHECK(many.before > 2.0 * many.after);
   CHECK(many.low > 0.0);
   CHECK(many.low < many.gain);

@@ -98,12 +98,12 @@ public:
   }
 
   /// What an extended model gains on the held-out data where it and the base model were run there, each at
-  /// one point. What is not known of their parameters does not count: `p` and `log_odds` of it mean nothing.
+  /// one point: what is not known of their parameters does not count.
   ///
   /// \param base, extended runs with the observables that were held out, as they are compared
   /// \throws Error for less than two runs of either, or where nothing was held out.
-  [[nodiscard]] HeldOutGain gain_of_runs(const std::vector<Eigen::VectorXd>& base,
-                                         const std::vector<Eigen::VectorXd>& extended) const {
+  [[nodiscard]] Gain gain_of_runs(const std::vector<Eigen::VectorXd>& base,
+                                  const std::vector<Eigen::VectorXd>& extended) const {
     if (!held_out_response_) {
       throw Error("diagnosis: nothing was held out, on which something could be gained");
     }

@@ -99,12 +99,17 @@ inline double log_density(const Noise& noise, const HeldOutPrediction& predictio
          0.5 * (freedom + static_cast<double>(off.size())) * std::log1p(off.dot(factor.solve(off)) / freedom);
 }
 
-/// What a hypothesis gains over the base model on held-out data.
-struct HeldOutGain {
+/// What an extended model gains over the base model on held-out data.
+struct Gain {
   /// Root mean square of predicted less measured, over the standard error of what was measured.
   double before = 0.0, after = 0.0;
-  double gain = 0.0;                                 ///< 1 - after / before
-  double low = 0.0, high = 0.0;                      ///< interval of that
+  double gain = 0.0;            ///< 1 - after / before
+  double low = 0.0, high = 0.0; ///< interval of that
+};
+
+/// What a hypothesis gains there with all that is not known of its parameters, so that chance can be spoken
+/// of.
+struct HeldOutGain : Gain {
   double p = 1.0;                                    ///< by which chance explains what is left
   double log_odds = 0.0;                             ///< natural logarithm of the odds over the base model
   Eigen::VectorXd residuals_before, residuals_after; ///< of each observable, over the same
