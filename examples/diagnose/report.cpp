@@ -113,7 +113,7 @@ std::string gain_of_runs(const Case& c) {
       "By runs of what was held out, {} with the base model and {} with what is named: error {:.3g} "
       "before, {:.3g} after, over the standard error of what was measured; gain {:.2f} ({:.2f} to "
       "{:.2f}).",
-      there.base_runs, there.extended_runs, gain.before, gain.after, gain.gain, gain.low, gain.high);
+      there.base_runs, there.extended_runs, gain.before, gain.after, gain.share, gain.low, gain.high);
 }
 
 std::string next_experiment(const Case& c) {
@@ -151,7 +151,7 @@ std::string next_experiment(const Case& c) {
 namespace {
 
 Json gain_json(const Gain& gain) {
-  return {{"gain", gain.gain},
+  return {{"gain", gain.share},
           {"interval", {gain.low, gain.high}},
           {"before", gain.before},
           {"after", gain.after}};
@@ -223,7 +223,7 @@ Json verdict(const Case& c) {
   }
   if (d.held_out) {
     const HeldOutGain& h = *d.held_out;
-    out["held_out_gain"] = gain_json(h);
+    out["held_out_gain"] = gain_json(h.gain);
     out["held_out_gain"].update({{"p", h.p}, {"log_odds_over_base", h.log_odds}});
     for (std::size_t k = 0; k < c.diagnosed.held_out.size(); ++k) {
       out["held_out_gain"]["residuals"][c.diagnosed.held_out[k].name] = {
@@ -361,7 +361,8 @@ std::string held_out_table(const Case& c) {
       fmt::format("<p>Root mean square error, over the standard error of what was measured: {:.2f} "
                   "before, {:.2f} after; gain {:.0f} % ({:.0f} to {:.0f} %), as predicted from the runs of "
                   "this diagnosis. {}</p>\n<table><tr><th>held out<th>before<th>after<th></tr>\n",
-                  h.before, h.after, 100.0 * h.gain, 100.0 * h.low, 100.0 * h.high, gain_of_runs(c));
+                  h.gain.before, h.gain.after, 100.0 * h.gain.share, 100.0 * h.gain.low, 100.0 * h.gain.high,
+                  gain_of_runs(c));
   for (std::size_t k = 0; k < c.diagnosed.held_out.size(); ++k) {
     const double a = h.residuals_before[static_cast<Eigen::Index>(k)],
                  b = h.residuals_after[static_cast<Eigen::Index>(k)];

@@ -57,8 +57,8 @@ TEST_CASE("hidden-effects: each of the causes is found by name, its size within 
     CHECK(d.alarm.p < 0.02);
     REQUIRE(d.held_out);
     CHECK(d.held_out->p > 0.02);
-    CHECK(d.held_out->low < d.held_out->gain);
-    CHECK(d.held_out->gain < d.held_out->high);
+    CHECK(d.held_out->gain.low < d.held_out->gain.share);
+    CHECK(d.held_out->gain.share < d.held_out->gain.high);
   }
   CHECK(held >= 3); // of 4 at 90 %
 }
@@ -147,7 +147,7 @@ TEST_CASE("hidden-effects: what explains the fitted data but predicts worse than
   CHECK(d.finding == Finding::unexplained);
   CHECK(d.named.empty());
   REQUIRE(d.held_out);
-  CHECK(d.held_out->high < 0.0);
+  CHECK(d.held_out->gain.high < 0.0);
   CHECK(refused_by_held_out(d));
   CHECK(d.reason.find("held out") != std::string::npos);
 }
@@ -178,11 +178,11 @@ TEST_CASE("hidden-effects: runs of what was held out show the gain that surfaces
   const Gain many = judge.gain_of_runs(runs(*base, 100), runs(extended, 100));
   CHECK(many.before > 2.0 * many.after);
   CHECK(many.low > 0.0);
-  CHECK(many.low < many.gain);
-  CHECK(many.gain < many.high);
+  CHECK(many.low < many.share);
+  CHECK(many.share < many.high);
   CHECK(many.high - many.low < few.high - few.low);
-  CHECK(d.held_out->low < many.high); // the two intervals overlap
-  CHECK(many.low < d.held_out->high);
+  CHECK(d.held_out->gain.low < many.high); // the two intervals overlap
+  CHECK(many.low < d.held_out->gain.high);
   CHECK_THROWS_WITH_AS((void)judge.gain_of_runs(runs(*base, 1), runs(extended, 2)),
                        "runs of what was held out = 1 is outside [2, 1000000000]", Error);
   const Diagnostician of_nothing{space(), data.fitted, {}, shared_runs(), {.draws = 100}};

@@ -48,8 +48,8 @@ inline void write_trials(const std::vector<Trial>& trials, const std::filesystem
     out << ',' << scree::name_of(verdict.finding) << ',' << named << ',' << d.alarm.p << ','
         << d.ranking.front().adequacy.value_or(1.0) << ',';
     if (d.held_out) {
-      out << d.held_out->before << ',' << d.held_out->after << ',' << d.held_out->low << ','
-          << d.held_out->high << ',' << d.held_out->p;
+      out << d.held_out->gain.before << ',' << d.held_out->gain.after << ',' << d.held_out->gain.low << ','
+          << d.held_out->gain.high << ',' << d.held_out->p;
     } else {
       out << ",,,,";
     }

@@ -44,7 +44,7 @@ inline double held_out_error_left(const std::vector<Trial>& trials) {
   for (const Trial& t : trials) {
     const auto& held_out = t.diagnosed.diagnosis.held_out;
     if (t.kind == Kind::one && held_out) {
-      left.push_back(held_out->after / held_out->before);
+      left.push_back(held_out->gain.after / held_out->gain.before);
     }
   }
   std::sort(left.begin(), left.end());

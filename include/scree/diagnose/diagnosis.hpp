@@ -110,7 +110,8 @@ public:
     const Noise noise{held_out_, *held_out_response_};
     Random random{setup_.seed, "diagnosis, gain of runs"};
     return held_out_gain(noise, mean_of_runs(noise, base), mean_of_runs(noise, extended), setup_.confidence,
-                         setup_.draws, random);
+                         setup_.draws, random)
+        .gain;
   }
 
   [[nodiscard]] Diagnosis operator()() {
@@ -142,7 +143,8 @@ public:
     // What is refuted may be the truth in another form, and what is less likely then fits by bending: it
     // needs data that it was not fitted to.
     const bool second_choice = left.front() != by_likelihood().front();
-    const bool confirmed = out.held_out && out.held_out->low > 0.0 && out.finding != Finding::unexplained;
+    const bool confirmed =
+        out.held_out && out.held_out->gain.low > 0.0 && out.finding != Finding::unexplained;
     if (second_choice && !confirmed) {
       nothing_suffices(out);
     }
@@ -438,7 +440,7 @@ private:
     out.held_out = held_out_gain(noise, of(0), of(best), setup_.confidence, setup_.draws, random);
     const bool contradicted = out.held_out->p < setup_.least_adequacy;
     // Both: chance alone puts one prediction nearer than the other, and a vague one is unlikely anyhow.
-    const bool worse = out.held_out->high < 0.0 && out.held_out->log_odds < -std::log(setup_.clear_odds);
+    const bool worse = out.held_out->gain.high < 0.0 && out.held_out->log_odds < -std::log(setup_.clear_odds);
     if (contradicted || worse) {
       out.finding = Finding::unexplained;
       out.named.clear();
@@ -447,10 +449,11 @@ private:
                         ? message("it leaves more there than chance does (p = ", out.held_out->p, ").")
                         : message("the base model predicts that better (odds ",
                                   std::exp(-out.held_out->log_odds), ").");
-    } else if (out.held_out->low <= 0.0) {
+    } else if (out.held_out->gain.low <= 0.0) {
       // It may be right all the same: a cause that does not touch what was held out gains nothing there.
-      out.reason += message(" What was held out neither shows nor refutes it (gain ", out.held_out->gain,
-                            ", ", out.held_out->low, " to ", out.held_out->high, ").");
+      out.reason +=
+          message(" What was held out neither shows nor refutes it (gain ", out.held_out->gain.share, ", ",
+                  out.held_out->gain.low, " to ", out.held_out->gain.high, ").");
     }
   }
 

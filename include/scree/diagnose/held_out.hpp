@@ -103,13 +103,14 @@ inline double log_density(const Noise& noise, const HeldOutPrediction& predictio
 struct Gain {
   /// Root mean square of predicted less measured, over the standard error of what was measured.
   double before = 0.0, after = 0.0;
-  double gain = 0.0;            ///< 1 - after / before
+  double share = 0.0;           ///< by which the error is smaller: 1 - after / before
   double low = 0.0, high = 0.0; ///< interval of that
 };
 
 /// What a hypothesis gains there with all that is not known of its parameters, so that chance can be spoken
 /// of.
-struct HeldOutGain : Gain {
+struct HeldOutGain {
+  Gain gain;
   double p = 1.0;                                    ///< by which chance explains what is left
   double log_odds = 0.0;                             ///< natural logarithm of the odds over the base model
   Eigen::VectorXd residuals_before, residuals_after; ///< of each observable, over the same
@@ -127,18 +128,18 @@ inline HeldOutGain held_out_gain(const Noise& noise, const HeldOutPrediction& ba
   const auto rms = [](const Eigen::VectorXd& v) {
     return v.norm() / std::sqrt(static_cast<double>(v.size()));
   };
-  const auto gain = [&](const Eigen::VectorXd& before, const Eigen::VectorXd& after) {
+  const auto share = [&](const Eigen::VectorXd& before, const Eigen::VectorXd& after) {
     return 1.0 - rms(after) / std::max(1e-12, rms(before));
   };
-  out.before = rms(out.residuals_before);
-  out.after = rms(out.residuals_after);
-  out.gain = gain(out.residuals_before, out.residuals_after);
+  out.gain.before = rms(out.residuals_before);
+  out.gain.after = rms(out.residuals_after);
+  out.gain.share = share(out.residuals_before, out.residuals_after);
 
   // Whatever both sides know only roughly is drawn again: the measured means, and the predictions. What was
   // measured is off by chance already, and would be so twice if it were drawn about itself: it is drawn about
   // where it lies when as much of its distance from the better prediction is taken off as chance makes
   // (James & Stein 1961).
-  const HeldOutPrediction& better = out.after < out.before ? extended : base;
+  const HeldOutPrediction& better = out.gain.after < out.gain.before ? extended : base;
   const Eigen::VectorXd off = seen.mean - better.mean;
   const double chance =
       static_cast<double>(off.size()) + (better.covariance.diagonal().array() / seen.variance.array()).sum();
@@ -154,23 +155,23 @@ inline HeldOutGain held_out_gain(const Noise& noise, const HeldOutPrediction& ba
     }
     return z;
   };
-  std::vector<double> gains, left;
+  std::vector<double> shares, left;
   for (std::size_t d = 0; d < draws; ++d) {
     const Eigen::VectorXd measured = centre + noise.normal(seen.variance, random);
     const Eigen::VectorXd of_base = base.mean + root_base * even();
     const Eigen::VectorXd of_extended = extended.mean + root_extended * even();
-    gains.push_back(gain(((measured - of_base).array() / error).matrix(),
-                         ((measured - of_extended).array() / error).matrix()));
+    shares.push_back(share(((measured - of_base).array() / error).matrix(),
+                           ((measured - of_extended).array() / error).matrix()));
     const Readings again = noise.drawn(of_extended, random);
     left.push_back(rms(((again.mean - extended.mean).array() / again.variance.array().sqrt()).matrix()));
   }
-  std::sort(gains.begin(), gains.end());
-  const auto at = [&](double share) {
-    return gains[static_cast<std::size_t>(share * static_cast<double>(gains.size() - 1))];
+  std::sort(shares.begin(), shares.end());
+  const auto at = [&](double quantile) {
+    return shares[static_cast<std::size_t>(quantile * static_cast<double>(shares.size() - 1))];
   };
-  out.low = at(0.5 * (1.0 - confidence));
-  out.high = at(0.5 * (1.0 + confidence));
-  out.p = share_above(left, out.after);
+  out.gain.low = at(0.5 * (1.0 - confidence));
+  out.gain.high = at(0.5 * (1.0 + confidence));
+  out.p = share_above(left, out.gain.after);
   out.log_odds = log_density(noise, extended) - log_density(noise, base);
   return out;
 }
