@@ -30,15 +30,17 @@ std::string draw_before_and_after(const Plan& plan, Trials& trials, const std::v
     const PlannedExperiment& planned = plan.experiments[e];
     const CurveFile curve = planned.experiment->curve();
     Panel curves{curve.title, curve.x_label, curve.y_label, {}};
-    Panel observables{"Observables over what was measured", "observable", "", {}};
+    Panel observables{
+        "Observables over what was measured", "simulated or measured / mean of measured", "", {}};
     if (!planned.curve.empty()) {
       curves.curves.push_back({std::filesystem::absolute(planned.curve), curve.x, curve.y, "measured"});
     }
     for (std::size_t k = 0; k < planned.measured.size(); ++k) {
       const Measured& m = planned.measured[k];
       const double middle = m.logarithmic ? std::exp(m.mean()) : m.mean();
+      observables.rows.push_back(m.name);
       for (const double value : m.replicates) {
-        observables.points.push_back({static_cast<double>(k + 1) - 0.2, value / middle, "measured", 0});
+        observables.points.push_back({value / middle, static_cast<double>(k + 1) - 0.2, "measured", 0});
       }
     }
     for (std::size_t s = 0; s < 2; ++s) {
@@ -50,8 +52,9 @@ std::string draw_before_and_after(const Plan& plan, Trials& trials, const std::v
         for (std::size_t k = 0; run.failure.empty() && k < planned.measured.size(); ++k) {
           const Measured& m = planned.measured[k];
           const double middle = m.logarithmic ? std::exp(m.mean()) : m.mean();
-          observables.points.push_back({static_cast<double>(k + 1) + 0.2 * static_cast<double>(s),
-                                        run.observed[planned.used[k]] / middle, sides[s].name, 1});
+          observables.points.push_back({run.observed[planned.used[k]] / middle,
+                                        static_cast<double>(k + 1) + 0.2 * static_cast<double>(s),
+                                        sides[s].name, 1});
         }
       }
       const auto place = std::filesystem::path{sides[s].name} / planned.name;
@@ -64,9 +67,6 @@ std::string draw_before_and_after(const Plan& plan, Trials& trials, const std::v
       } catch (const Error& failure) {
         complaints += message(planned.name, " ", sides[s].name, ": ", failure.what(), "\n");
       }
-    }
-    for (std::size_t k = 0; k < planned.measured.size(); ++k) {
-      observables.x_label += message(k == 0 ? ": " : ", ", k + 1, " ", planned.measured[k].name);
     }
     const std::string complaint =
         draw_plot(folder, "fit_" + planned.name, planned.name + ", before and after", {curves, observables});

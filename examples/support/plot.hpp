@@ -40,7 +40,8 @@ struct Panel {
   std::string title, x_label, y_label; ///< with units
   std::vector<Curve> curves;
   std::vector<StatedPoint> points{};
-  bool log_x = false; ///< whether equal factors of x are equally far apart
+  bool log_x = false;              ///< whether equal factors of x are equally far apart
+  std::vector<std::string> rows{}; ///< names at y = 1, 2, ... downwards, instead of numbers
 };
 
 namespace detail {
@@ -52,6 +53,24 @@ inline std::string gnuplot_text(std::string_view text) {
     out += c == '\'' ? "''" : std::string{c};
   }
   return out + "'";
+}
+
+/// The commands for the y axis of a panel, the room that it takes, and room within that keeps points off the
+/// frame.
+inline std::string y_axis(const Panel& panel) {
+  if (panel.rows.empty()) {
+    return "set ytics autofreq\nset yrange [*:*]\nset lmargin 10\n"
+           "set offsets graph 0, graph 0.02, graph 0.07, graph 0.05\n";
+  }
+  std::string tics;
+  std::size_t longest = 0;
+  for (std::size_t k = 0; k < panel.rows.size(); ++k) {
+    tics += fmt::format("{}{} {}", k == 0 ? "" : ",", gnuplot_text(panel.rows[k]), k + 1);
+    longest = std::max(longest, panel.rows[k].size());
+  }
+  return fmt::format("set ytics ({})\nset yrange [{}.5:0.5]\nset lmargin {}\n"
+                     "set offsets graph 0.04, graph 0.04, 0, 0\n",
+                     tics, panel.rows.size(), longest + 3);
 }
 
 /// The commands that draw one panel.
@@ -69,6 +88,7 @@ inline std::string panel_commands(const Panel& panel) {
   std::string out = fmt::format("set title {}\nset xlabel {}\nset ylabel {}\n{} logscale x\nset xtics {}\n",
                                 gnuplot_text(panel.title), gnuplot_text(panel.x_label),
                                 gnuplot_text(panel.y_label), panel.log_x ? "set" : "unset", tics);
+  out += y_axis(panel);
   std::string parts, data;
   for (std::size_t n = 0; n < panel.curves.size(); ++n) {
     const Curve& c = panel.curves[n];
@@ -108,15 +128,14 @@ inline std::string plot_script(const std::string& name, const std::string& title
                                const std::vector<Panel>& panels) {
   const std::size_t columns = panels.size() > 1 ? 2 : 1;
   const std::size_t rows = (panels.size() + columns - 1) / columns;
-  // Room at the upper and right end of the axes keeps points off the frame; legends stand below the panels.
+  // Legends stand below the panels.
   std::string body = fmt::format(
       "set encoding utf8\nset multiplot layout {},{} title {} font ',14'\n"
       "set datafile separator ','\nset datafile commentschars '#'\n"
       "set border 3 lc rgb '#404040'\nset tics nomirror out scale 0.6\nset format '%g'\n"
-      "set grid lt 1 lw 0.6 lc rgb '#dddddd'\nset autoscale noextend\nset offsets graph 0, graph 0.02, graph "
-      "0.07, graph 0.05\n"
+      "set grid lt 1 lw 0.6 lc rgb '#dddddd'\nset autoscale noextend\n"
       "set key at graph 0, graph -0.24 left top Left reverse vertical maxrows 3 samplen 2 width 2\n"
-      "set lmargin 10\nset rmargin 3\nset bmargin 7.5\n",
+      "set rmargin 3\nset bmargin 7.5\n",
       rows, columns, detail::gnuplot_text(title));
   for (const Panel& panel : panels) {
     body += detail::panel_commands(panel);

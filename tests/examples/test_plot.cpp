@@ -134,6 +134,33 @@ TEST_CASE("curves and points stand where the named columns and the stated values
   CHECK(marked("gpPt7", 0.5, 2.5) == 1); // an open triangle
 }
 
+TEST_CASE("named rows stand below each other where their points are, and the next panel has numbers again") {
+  if (gnuplot_is_missing()) {
+    return;
+  }
+  const ScratchFolder folder;
+  const std::vector<std::string> names{"oedometer.loading_1", "b", "c"};
+  Panel rows{
+      "Observables", "x", "", {}, {{1.0, 1.0, "measured"}, {2.0, 2.0, "measured"}, {3.0, 3.0, "measured"}}};
+  rows.rows = names;
+  const Panel numbers{"Force", "x", "force, N", {}, {{1.0, 1.0, "seen", 1}, {2.0, 7.0, "seen", 1}}};
+  REQUIRE(draw_plot(folder / "", "both", "t", {rows, numbers}) == "");
+  const auto svg = content_of(folder / "both.svg");
+  const auto marks = places_behind(svg, "<use xlink:href='#gpPt6' transform='translate(");
+  double above = 0.0;
+  for (const std::string& row : names) {
+    const auto name = svg.find(">" + row + "<");
+    REQUIRE(name != std::string::npos);
+    const double y = places_behind(svg.substr(svg.rfind("translate(", name)), "translate(").front().at(0)[1];
+    CHECK(y > above + 20.0);
+    CHECK(std::count_if(marks.begin(), marks.end(),
+                        [&](const Places& mark) { return std::abs(mark.at(0)[1] - y) < 10.0; }) == 1);
+    above = y;
+  }
+  CHECK(plot_script("p", "t", {rows, numbers}).find("set ytics autofreq") != std::string::npos);
+  CHECK(svg.find(">7<") != std::string::npos);
+}
+
 TEST_CASE("points of one label look alike and have one entry in the legend, others differ") {
   const auto symbols = [](const std::vector<StatedPoint>& points) {
     const auto script = plot_script("p", "t", {{"title", "x", "y", {}, points}});

@@ -46,7 +46,7 @@ inline TriangleMesh read_stl_text(std::streambuf& input, const std::filesystem::
     const auto word = words.required(what);
     const auto value = parse_number(word);
     if (!value) {
-      throw words.error(message("\"", printable(word), "\" where ", what, " is expected"));
+      throw words.error(message("\"", word, "\" where ", what, " is expected"));
     }
     return *value;
   };
@@ -62,13 +62,13 @@ inline TriangleMesh read_stl_text(std::streambuf& input, const std::filesystem::
         break;
       }
       if (!StlWords::same(*more, "solid")) {
-        throw words.error(message("\"", printable(*more), "\" after the end of the solid"));
+        throw words.error(message("\"", *more, "\" after the end of the solid"));
       }
       words.finish_line();
       continue;
     }
     if (!StlWords::same(word, "facet")) {
-      throw words.error(message("\"", printable(word), R"(" where "facet" or "endsolid" is expected)"));
+      throw words.error(message("\"", word, R"(" where "facet" or "endsolid" is expected)"));
     }
     if (soup.facet_count() == options.max_facets) {
       throw words.error(message("more than the ", options.max_facets, " facets allowed"));

@@ -50,7 +50,7 @@ public:
   void expect(std::string_view keyword) {
     const auto word = required(message("\"", keyword, "\""));
     if (!same(word, keyword)) {
-      throw error(message("\"", printable(word), "\" where \"", keyword, "\" is expected"));
+      throw error(message("\"", word, "\" where \"", keyword, "\" is expected"));
     }
   }
   /// Skips to the end of the line.
