@@ -4,16 +4,16 @@
 
 #include "scree/core/error.hpp"
 #include "scree/simulation/domain.hpp"
-#include "scree/simulation/held_pairs.hpp"
-#include "scree/simulation/pair_loop.hpp"
+#include "scree/simulation/packed_pairs.hpp"
 #include "scree/simulation/spatial_order.hpp"
 #include "scree/simulation/wall_contacts.hpp"
 #include "scree/state/blocks.hpp"
-#include "scree/state/contact_packs.hpp"
+#include "scree/state/pair_list.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <span>
 #include <vector>
@@ -31,25 +31,8 @@ public:
   static constexpr int history_size = Law::history_size;
   using Pairs = PairList<Real, history_size>;
   using OneWallBlock = WallBlock<Real, history_size>;
-  using Packs = ContactPacks<Real, history_size, Lanes<KernelNumber<Law, Real>>::width>;
-  /// The pairs whose first sphere is in a block.
-  struct BlockPairs {
-    Packs within;   ///< the second is in the block too
-    Packs crossing; ///< it is in another one
-    Packs wrapped;  ///< its periodic image is meant
-
-    /// A pair of spheres that is held from now on, or no longer.
-    struct Changed {
-      std::size_t i;
-      Partner j;
-      std::size_t number; ///< in the list of pairs
-    };
-    std::vector<Changed> changed;
-    std::vector<std::uint32_t> touched; ///< spheres on which the force can change
-    bool begun = false;                 ///< the forces on all others are what is held
-
-    [[nodiscard]] std::array<const Packs*, 3> all() const { return {&within, &crossing, &wrapped}; }
-  };
+  using Packed = PackedPairs<Real, Law, rests>;
+  using BlockPairs = typename Packed::BlockPairs;
 
   ContactLists(Search search, std::size_t sort_interval)
       : search_{std::move(search)}, sort_interval_{sort_interval} {}
@@ -58,21 +41,18 @@ public:
   /// Of all pairs, in their order.
   [[nodiscard]] std::vector<typename Pairs::History> histories() const {
     std::vector<typename Pairs::History> out = pairs_.histories();
-    for (const BlockPairs& block : block_pairs_) {
-      for_each_history(block, [&](std::uint32_t pair, const auto& history) { out[pair] = history; });
-    }
+    packed_.for_each_history([&](std::uint32_t pair, const auto& history) { out[pair] = history; });
     return out;
   }
-  [[nodiscard]] BlockPairs& block_pairs(std::size_t b) { return block_pairs_[b]; }
-  [[nodiscard]] std::span<const BlockPairs> block_pairs() const { return block_pairs_; }
+  /// What of a block is computed in each step.
+  [[nodiscard]] BlockPairs& block_pairs(std::size_t b) { return packed_.block_pairs(b); }
+  [[nodiscard]] std::span<const BlockPairs> block_pairs() const { return packed_.block_pairs(); }
+  /// Where the forces on the second spheres of crossing and wrapped pairs are laid down; those of one block.
+  [[nodiscard]] std::span<ForceRecord<Real>> slots(std::size_t b) { return packed_.slots(b, blocks_[b]); }
+  [[nodiscard]] std::span<const ForceRecord<Real>> slots() const { return packed_.slots(); }
   [[nodiscard]] std::span<const Block> blocks() const { return blocks_; }
   [[nodiscard]] std::span<const OneWallBlock> wall_blocks() const { return wall_blocks_; }
   [[nodiscard]] OneWallBlock& wall_block(std::size_t b) { return wall_blocks_[b]; }
-  /// Where the forces on the second spheres of crossing and wrapped pairs are laid down; those of one block.
-  [[nodiscard]] std::span<ForceRecord<Real>> slots(std::size_t b) {
-    return std::span{slots_}.subspan(blocks_[b].first_slot, slot_count(block_pairs_[b]));
-  }
-  [[nodiscard]] std::span<const ForceRecord<Real>> slots() const { return slots_; }
   /// For each wall, how many spheres touch it or may soon; empty before the lists were made.
   [[nodiscard]] std::span<const std::size_t> near_walls() const { return near_walls_; }
   [[nodiscard]] std::size_t renewals() const { return renewals_; }
@@ -99,12 +79,12 @@ public:
         domain.periodic() && (!valid_ || step % wrap_interval == 0) && domain.strayed(bodies);
     if (valid_ && !sort && !wrap_now && !outlived(bodies)) {
       if (2.0 * pack_travel_ > pack_skin_) {
-        lay_histories_down(workers);
+        packed_.lay_down(pairs_, workers);
         renew_packs(domain, bodies, workers);
       }
       return false;
     }
-    lay_histories_down(workers);
+    packed_.lay_down(pairs_, workers);
     check_positions(bodies, time);
     if (wrap_now) {
       wrap(domain, bodies, walls);
@@ -114,9 +94,8 @@ public:
       sorted_at_ = step;
     }
     renew_pairs(domain, bodies, workers);
-    divide(bodies);
-    block_pairs_.clear();
-    block_pairs_.resize(blocks_.size());
+    blocks_ = divided(bodies);
+    packed_.divide(blocks_.size());
     renew_wall_candidates(bodies, walls, workers);
     renew_packs(domain, bodies, workers); // asks for the candidates of walls
     listed_at_.resize(bodies.sphere_count());
@@ -131,15 +110,15 @@ public:
 
   /// Deals the pairs out to the packs anew, after some bodies went to rest or woke.
   void change_over(const Domain& domain, const Bodies<Real>& bodies, Workers& workers) {
-    lay_histories_down(workers);
+    packed_.lay_down(pairs_, workers);
     renew_packs(domain, bodies, workers);
   }
 
   /// Puts the bodies of `order` in that order and drops the others; histories follow. The lists are no longer
   /// valid.
   void rearrange(std::span<const std::uint32_t> order, Bodies<Real>& bodies, Workers& workers) {
-    lay_histories_down(workers);
-    block_pairs_.clear();
+    packed_.lay_down(pairs_, workers);
+    packed_.clear();
     const std::vector<std::uint32_t> moved_to = bodies.rearrange(order);
     pairs_.rearrange(moved_to, bodies.sphere_count(), Law::history_parity, workers);
     std::vector<WallContact<Real, history_size>> contacts;
@@ -167,10 +146,8 @@ public:
       archive(self.pairs_);
     } else {
       Pairs laid_down = self.pairs_;
-      for (const BlockPairs& block : self.block_pairs_) {
-        for_each_history(block,
-                         [&](std::uint32_t pair, const auto& history) { laid_down.history(pair) = history; });
-      }
+      self.packed_.for_each_history(
+          [&](std::uint32_t pair, const auto& history) { laid_down.history(pair) = history; });
       archive(laid_down);
     }
     archive(self.wall_blocks_, self.near_walls_, self.listed_at_, self.skin_, self.travel_, self.wall_travel_,
@@ -179,13 +156,13 @@ public:
   /// After reading, with the bodies that were there. Returns whether all belongs together.
   bool rebuild(const Domain& domain, const Bodies<Real>& bodies, std::span<const AnyWall> walls,
                Workers& workers) {
-    block_pairs_.clear();
-    divide(bodies);
+    packed_.clear();
+    blocks_ = divided(bodies);
     if (!consistent(bodies, walls)) {
       return false;
     }
     if (valid_) {
-      block_pairs_.resize(blocks_.size());
+      packed_.divide(blocks_.size());
       renew_packs(domain, bodies, workers);
     }
     return true;
@@ -194,16 +171,6 @@ public:
 private:
   static constexpr std::size_t wrap_interval = 100; // steps between two looks; ours
   static constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
-
-  /// Calls `visit(number of the pair, history)` for all that a block has in packs.
-  template <class Visit>
-  static void for_each_history(const BlockPairs& block, Visit visit) {
-    for (const Packs* packs : block.all()) {
-      for (std::size_t k = 0; k < packs->size(); ++k) {
-        visit(packs->pair(k).number, packs->history(k));
-      }
-    }
-  }
 
   /// Whether pairs and wall contacts name only what there is.
   [[nodiscard]] bool consistent(const Bodies<Real>& bodies, std::span<const AnyWall> walls) const {
@@ -276,9 +243,9 @@ private:
 
   void renew_pairs(const Domain& domain, const Bodies<Real>& bodies, Workers& workers) {
     const auto spheres = bodies.spheres();
-    if (spheres.size() > Packs::most_spheres) {
-      throw Error(message("bodies: ", spheres.size(), " spheres are more than the ", Packs::most_spheres,
-                          " that one simulation holds"));
+    if (spheres.size() > Packed::Packs::most_spheres) {
+      throw Error(message("bodies: ", spheres.size(), " spheres are more than the ",
+                          Packed::Packs::most_spheres, " that one simulation holds"));
     }
     // None of this is kept: it would be a fifth of all memory.
     std::vector<Ball> balls(spheres.size());
@@ -313,18 +280,6 @@ private:
     }
   }
 
-  static std::size_t slot_count(const BlockPairs& pairs) {
-    return (pairs.crossing.pack_count() + pairs.wrapped.pack_count()) * Packs::lanes;
-  }
-
-  /// Brings the histories of the packs to the list of pairs.
-  void lay_histories_down(Workers& workers) {
-    workers.for_each(block_pairs_.size(), [&](std::size_t b) {
-      for_each_history(block_pairs_[b],
-                       [this](std::uint32_t pair, const auto& history) { pairs_.history(pair) = history; });
-    });
-  }
-
   /// A larger skin brings more pairs that do not touch, a smaller one more renewals. Both cost the least
   /// together where the skin is about the root of the list's skin times twice the way of a step: a renewal
   /// looks at all pairs of the list, whose gaps are spread evenly over its skin.
@@ -333,123 +288,10 @@ private:
     return std::min(skin_, std::max(least * skin_, std::sqrt(1.5 * step_travel_ * skin_)));
   }
 
-  void divide(const Bodies<Real>& bodies) {
-    blocks_ = divided(bodies);
-    held_.forget();
-  }
-
   void renew_packs(const Domain& domain, const Bodies<Real>& bodies, Workers& workers) {
     pack_skin_ = pack_skin();
     pack_travel_ = 0.0;
-    if constexpr (rests) {
-      held_.note(bodies, blocks_, pairs_, workers);
-    }
-    workers.for_each(blocks_.size(), [&](std::size_t b) { renew_packs(b, domain, bodies); });
-    std::size_t slots = 0;
-    for (Block& block : blocks_) {
-      block.incoming.clear();
-      block.feeds.clear();
-      block.feeders = 0;
-    }
-    std::vector<std::size_t> fed_by(blocks_.size(), never);
-    for (std::size_t b = 0; b < blocks_.size(); ++b) {
-      blocks_[b].first_slot = slots;
-      for (const Packs* packs : {&block_pairs_[b].crossing, &block_pairs_[b].wrapped}) {
-        for (std::size_t k = 0; k < packs->size(); ++k) {
-          const std::uint32_t j = packs->pair(k).j;
-          const std::size_t owner = block_of(blocks_, j);
-          blocks_[owner].incoming.push_back({j, static_cast<std::uint32_t>(slots + k)});
-          if (owner != b && fed_by[owner] != b) {
-            fed_by[owner] = b;
-            blocks_[b].feeds.push_back(static_cast<std::uint32_t>(owner));
-            ++blocks_[owner].feeders;
-          }
-        }
-        slots += packs->pack_count() * Packs::lanes;
-      }
-    }
-    slots_.resize(slots);
-    if (held_.any()) {
-      workers.for_each(blocks_.size(), [this](std::size_t b) { find_touched(b); });
-    }
-  }
-
-  /// Lists the spheres of a block on which the force can change.
-  void find_touched(std::size_t b) {
-    const Block& block = blocks_[b];
-    BlockPairs& pairs = block_pairs_[b];
-    pairs.touched.clear();
-    pairs.begun = false;
-    const std::size_t first = block.first_sphere;
-    std::vector<std::uint8_t> touched(block.end_sphere - first);
-    for (std::size_t s = first; s < block.end_sphere; ++s) {
-      touched[s - first] = held_.rests(s) ? 0 : 1;
-    }
-    for (const Packs* packs : pairs.all()) {
-      for (std::size_t k = 0; k < packs->size(); ++k) {
-        touched[packs->pair(k).i - first] = 1;
-      }
-    }
-    for (std::size_t k = 0; k < pairs.within.size(); ++k) {
-      touched[pairs.within.pair(k).j - first] = 1;
-    }
-    for (const Block::Incoming& in : block.incoming) {
-      touched[in.sphere - first] = 1;
-    }
-    for (const WallCandidate& candidate : wall_blocks_[b].candidates) {
-      touched[candidate.sphere - first] = 1;
-    }
-    for (std::size_t k = 0; k < touched.size(); ++k) {
-      if (touched[k] != 0) {
-        pairs.touched.push_back(static_cast<std::uint32_t>(first + k));
-      }
-    }
-  }
-
-  void renew_packs(std::size_t b, const Domain& domain, const Bodies<Real>& bodies) {
-    const auto spheres = bodies.spheres();
-    const Block& block = blocks_[b];
-    BlockPairs& out = block_pairs_[b];
-    out.within.clear();
-    out.crossing.clear();
-    out.wrapped.clear();
-    out.changed.clear();
-    if (held_.all_held(b)) {
-      return;
-    }
-    for (std::size_t i = block.first_sphere; i < block.end_sphere; ++i) {
-      const SphereRecord<Real>& own = spheres[i];
-      for (std::size_t pair = pairs_.begin_of(i); pair < pairs_.begin_of(i + 1); ++pair) {
-        const Partner partner = pairs_.partner(pair);
-        bool held = false;
-        if constexpr (rests) {
-          if (held_.any()) {
-            held = held_.held(i, partner.sphere);
-            if (held != held_.was_held(i, partner.sphere)) {
-              out.changed.push_back({i, partner, pair});
-            }
-          }
-        }
-        if (held) {
-          continue;
-        }
-        const SphereRecord<Real>& other = spheres[partner.sphere];
-        const double reach = own.radius + other.radius + pack_skin_;
-        const Vec3<double> apart = own.position - other.position - domain.shift(partner.image);
-        if (squared_norm(apart) <= reach * reach) {
-          Packs& packs = partner.image != Partner::here      ? out.wrapped
-                         : partner.sphere < block.end_sphere ? out.within
-                                                             : out.crossing;
-          packs.add(i, partner, pair);
-        }
-      }
-    }
-    const auto history = [this](std::uint32_t pair) -> const auto& {
-      return pairs_.history(pair);
-    };
-    out.within.finish(spheres, history);
-    out.crossing.finish(spheres, history);
-    out.wrapped.finish(spheres, history);
+    packed_.renew(pack_skin_, domain, bodies, pairs_, wall_blocks_, blocks_, workers);
   }
 
   void renew_wall_candidates(const Bodies<Real>& bodies, std::span<const AnyWall> walls, Workers& workers) {
@@ -479,10 +321,8 @@ private:
   Pairs pairs_;
   std::vector<Block> blocks_;
   std::vector<OneWallBlock> wall_blocks_;
-  std::vector<BlockPairs> block_pairs_;
-  std::vector<ForceRecord<Real>> slots_;
+  Packed packed_;
   std::vector<std::size_t> near_walls_;
-  HeldPairs held_;
   std::vector<Vec3<double>> listed_at_;
   double skin_ = 0.0, travel_ = 0.0, wall_travel_ = 0.0;
   double pack_skin_ = 0.0, pack_travel_ = 0.0, step_travel_ = 0.0;
