@@ -252,10 +252,10 @@ while [ "$repeat" -lt "$repeats" ]; do
       ;;
     scale)
       # As many steps before in each: packs are dealt out anew while a bed that was read in comes to rest.
-      time_scree "scale 5k" "scree native" double 1 cell 100 1000
-      time_scree "scale 20k" "scree native" double 1 bed 100 500
-      time_scree "scale 100k" "scree native" double 1 bed100k 100 200
-      time_scree "scale 1000k" "scree native" double 1 bed1000k 100 100
+      time_scree "scale 5k" "scree native" double 1 cell 500 1000
+      time_scree "scale 20k" "scree native" double 1 bed 500 300
+      time_scree "scale 100k" "scree native" double 1 bed100k 500 100
+      time_scree "scale 1000k" "scree native" double 1 bed1000k 500 100
       ;;
     esac
   done

@@ -38,7 +38,7 @@ std::string draw_before_and_after(const Plan& plan, Trials& trials, const std::v
     for (std::size_t k = 0; k < planned.measured.size(); ++k) {
       const Measured& m = planned.measured[k];
       const double middle = m.logarithmic ? std::exp(m.mean()) : m.mean();
-      observables.rows.push_back(m.name);
+      observables.rows.push_back(m.name.substr(m.name.rfind('.') + 1)); // the experiment is in the title
       for (const double value : m.replicates) {
         observables.points.push_back({value / middle, static_cast<double>(k + 1) - 0.2, "measured", 0});
       }

@@ -157,8 +157,12 @@ TEST_CASE("named rows stand below each other where their points are, and the nex
                         [&](const Places& mark) { return std::abs(mark.at(0)[1] - y) < 10.0; }) == 1);
     above = y;
   }
-  CHECK(plot_script("p", "t", {rows, numbers}).find("set ytics autofreq") != std::string::npos);
-  CHECK(svg.find(">7<") != std::string::npos);
+  const auto height = [&svg](const char* text) {
+    const auto tic = svg.rfind(text);
+    REQUIRE(tic != std::string::npos);
+    return places_behind(svg.substr(svg.rfind("translate(", tic)), "translate(").front().at(0)[1];
+  };
+  CHECK(height(">7<") < height(">2<") - 20.0);
 }
 
 TEST_CASE("points of one label look alike and have one entry in the legend, others differ") {

@@ -17,7 +17,6 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -124,7 +123,7 @@ private:
   /// \param response of all of these observables over the whole space, those held out last
   Diagnostician(const ModelSpace& space, const std::vector<Measured>& measured,
                 std::vector<Measured> held_out, const ResponseSurface& response, const DiagnosisSetup& setup)
-      : setup_{checked(setup)},
+      : setup_{setup},
         held_out_{std::move(held_out)},
         rivals_{space, measured, part_of(response, 0, measured.size()), setup} {
     if (!held_out_.empty()) {
@@ -132,10 +131,6 @@ private:
     }
   }
 
-  static const DiagnosisSetup& checked(const DiagnosisSetup& setup) {
-    setup.check();
-    return setup;
-  }
   static const std::vector<Run>& with_observables(const std::vector<Run>& runs, std::size_t count) {
     for (const Run& run : runs) {
       if (static_cast<std::size_t>(run.observed.size()) < count) {
@@ -269,7 +264,7 @@ private:
     }
     if (left.front() != rivals_.by_likelihood().front()) {
       out.reason += message(" What is likelier leaves more than chance does (p = ",
-                            *rivals_.known_adequacy(rivals_.by_likelihood().front()), ").");
+                            rivals_.known_adequacy(rivals_.by_likelihood().front()).value(), ").");
     }
   }
 

@@ -3,7 +3,9 @@
 /// Hypotheses that compete for what was measured.
 
 #include "scree/calibrate/measured.hpp"
+#include "scree/calibrate/posterior.hpp"
 #include "scree/calibrate/response_surface.hpp"
+#include "scree/core/random.hpp"
 #include "scree/diagnose/bootstrap.hpp"
 #include "scree/diagnose/cause.hpp"
 #include "scree/diagnose/diagnosis_setup.hpp"
@@ -29,6 +31,7 @@ namespace scree {
 class Rivals {
 public:
   /// \param response of the measured observables over the whole space
+  /// \throws Error for a setup that makes no sense.
   Rivals(ModelSpace space, std::vector<Measured> measured, ResponseSurface response,
          const DiagnosisSetup& setup)
       : space_{std::move(space)},
@@ -37,6 +40,7 @@ public:
         setup_{setup},
         noise_{measured_, response_},
         court_{noise_, Prior::even(space_.base())} {
+    setup_.check();
     add({}, Eigen::VectorXd::Constant(space_.base(), 0.5));
     for (std::size_t c = 0; c < space_.causes().size(); ++c) {
       add({c}, base_point());
@@ -103,7 +107,7 @@ public:
 
   /// The causes, alone or together, within the kept odds of the most likely one that chance does not refute,
   /// the likeliest first; none where the base model is likelier than all.
-  std::vector<std::size_t> not_refuted(Random& random) {
+  [[nodiscard]] std::vector<std::size_t> not_refuted(Random& random) {
     std::vector<std::size_t> out;
     const std::vector<std::size_t> order = by_likelihood();
     for (const std::size_t h : order) {
@@ -127,7 +131,8 @@ public:
   }
 
   /// Each of the most likely causes together with each other one. A pair is no likelier than it is at its
-  /// best point: those that are not near what is named even there are left at that.
+  /// best point: those that are not near what is named even there are left at that. References to what is
+  /// here hold no longer.
   void try_pairs() {
     struct Pair {
       std::vector<std::size_t> causes;

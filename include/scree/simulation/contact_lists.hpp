@@ -22,9 +22,9 @@ namespace scree {
 
 /// Two lists, one within the other. Pairs and wall candidates hold as long as nothing has moved further than
 /// half of the search's skin. Of those pairs, each block has in packs what touches or may do so within some
-/// steps, as they hold for half of a far smaller skin: most pairs of the list never touch. Everything that
-/// makes lists anew is here.
-/// \tparam rests whether bodies may rest (simulation/resting.hpp): pairs of two that do are in no pack
+/// steps, as they hold for half of a far smaller skin: most pairs of the list never touch (`PackedPairs`).
+/// When what is made anew is decided here. \tparam rests whether bodies may rest (simulation/resting.hpp):
+/// pairs of two that do are in no pack
 template <class Real, ContactLaw Law, NeighbourSearch Search, class AnyWall, bool rests>
 class ContactLists {
 public:

@@ -68,7 +68,8 @@ public:
     block_pairs_.resize(blocks);
   }
 
-  /// Deals out the pairs of a list.
+  /// Deals out the pairs of a list anew. What histories there are must have been laid down before, and where
+  /// the blocks or the list are others, `divide` comes first.
   /// \param skin [m] gap up to which a pair is in a pack
   /// \param wall_blocks with their candidates
   /// \param blocks in which is noted what they lay down for each other
