@@ -157,12 +157,15 @@ TEST_CASE("named rows stand below each other where their points are, and the nex
                         [&](const Places& mark) { return std::abs(mark.at(0)[1] - y) < 10.0; }) == 1);
     above = y;
   }
-  const auto height = [&svg](const char* text) {
-    const auto tic = svg.rfind(text);
-    REQUIRE(tic != std::string::npos);
-    return places_behind(svg.substr(svg.rfind("translate(", tic)), "translate(").front().at(0)[1];
+  // The point at (2, 7) is the highest and the one farthest to the right, with the sample of the legend
+  // below.
+  const auto upwards = places_behind(svg, "<use xlink:href='#gpPt7' transform='translate(");
+  REQUIRE(upwards.size() >= 2);
+  const auto by = [](std::size_t axis) {
+    return [axis](const Places& a, const Places& b) { return a.at(0)[axis] < b.at(0)[axis]; };
   };
-  CHECK(height(">7<") < height(">2<") - 20.0);
+  CHECK(std::min_element(upwards.begin(), upwards.end(), by(1)) ==
+        std::max_element(upwards.begin(), upwards.end(), by(0)));
 }
 
 TEST_CASE("points of one label look alike and have one entry in the legend, others differ") {

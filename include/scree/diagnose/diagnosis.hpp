@@ -61,8 +61,8 @@ public:
   [[nodiscard]] std::vector<double> taken_for(std::size_t cause, double value) {
     const Parameter& parameter =
         rivals_.space().parameters()[static_cast<std::size_t>(rivals_[cause + 1].free()[0])];
-    Random random{setup_.seed, "diagnosis, taken for"};
-    return look_alikes(rivals_.point_of(cause, parameter.share(value)), setup_.draws, random);
+    Random random{rivals_.setup().seed, "diagnosis, taken for"};
+    return look_alikes(rivals_.point_of(cause, parameter.share(value)), rivals_.setup().draws, random);
   }
 
   /// What an extended model gains on the held-out data where it and the base model were run there, each at
@@ -76,21 +76,21 @@ public:
       throw Error("diagnosis: nothing was held out, on which something could be gained");
     }
     const Noise noise{held_out_, *held_out_response_};
-    Random random{setup_.seed, "diagnosis, gain of runs"};
-    return held_out_gain(noise, mean_of_runs(noise, base), mean_of_runs(noise, extended), setup_.confidence,
-                         setup_.draws, random)
+    Random random{rivals_.setup().seed, "diagnosis, gain of runs"};
+    return held_out_gain(noise, mean_of_runs(noise, base), mean_of_runs(noise, extended),
+                         rivals_.setup().confidence, rivals_.setup().draws, random)
         .gain;
   }
 
   [[nodiscard]] Diagnosis operator()() {
-    Random random{setup_.seed, "diagnosis"};
+    Random random{rivals_.setup().seed, "diagnosis"};
     Diagnosis out;
     out.alarm = alarm()(rivals_.single_seen());
     out.base_adequacy = out.alarm.omnibus;
     out.scatter = rivals_.noise().prior();
     residuals(out);
     confusion(out, random);
-    if (out.alarm.p > setup_.false_alarms) {
+    if (out.alarm.p > rivals_.setup().false_alarms) {
       judge_silence(out);
       rank(out);
       out.named = {place_of(out, {})};
@@ -123,8 +123,7 @@ private:
   /// \param response of all of these observables over the whole space, those held out last
   Diagnostician(const ModelSpace& space, const std::vector<Measured>& measured,
                 std::vector<Measured> held_out, const ResponseSurface& response, const DiagnosisSetup& setup)
-      : setup_{setup},
-        held_out_{std::move(held_out)},
+      : held_out_{std::move(held_out)},
         rivals_{space, measured, part_of(response, 0, measured.size()), setup} {
     if (!held_out_.empty()) {
       held_out_response_ = part_of(response, measured.size(), held_out_.size());
@@ -161,8 +160,8 @@ private:
 
   const AlarmTest& alarm() {
     if (!alarm_) {
-      Random random{setup_.seed, "diagnosis, alarm"};
-      alarm_.emplace(rivals_.court(), rivals_.single(), setup_.draws, random);
+      Random random{rivals_.setup().seed, "diagnosis, alarm"};
+      alarm_.emplace(rivals_.court(), rivals_.single(), rivals_.setup().draws, random);
     }
     return *alarm_;
   }
@@ -171,14 +170,14 @@ private:
   [[nodiscard]] std::vector<double> look_alikes(const Hypothesis::Point& truth, std::size_t draws,
                                                 Random& random) {
     std::vector<double> row = scree::taken_for(rivals_.court(), rivals_.single(), alarm(),
-                                               setup_.false_alarms, truth, draws, random);
+                                               rivals_.setup().false_alarms, truth, draws, random);
     std::rotate(row.begin(), row.begin() + 1, row.end());
     return row;
   }
 
   /// Which causes these data could tell from each other and from nothing.
   void confusion(Diagnosis& out, Random& random) {
-    const std::size_t draws = std::max<std::size_t>(setup_.draws / 8, 20);
+    const std::size_t draws = std::max<std::size_t>(rivals_.setup().draws / 8, 20);
     for (std::size_t c = 0; c < rivals_.space().causes().size(); ++c) {
       const double null = rivals_.space().null()[rivals_[c + 1].free()[0]];
       const double half = null < 0.5 ? null + 0.5 * (1.0 - null) : 0.5 * null;
@@ -192,7 +191,7 @@ private:
     std::vector<double> power = out.power;
     std::sort(power.begin(), power.end());
     const double middle = power.empty() ? 0.0 : power[power.size() / 2];
-    if (middle >= setup_.least_power) {
+    if (middle >= rivals_.setup().least_power) {
       out.finding = Finding::no_discrepancy;
       out.reason = message(
           "The base model explains what was measured as well as chance allows (p = ", out.alarm.p, ").");
@@ -205,7 +204,7 @@ private:
   }
 
   void rank(Diagnosis& out) const {
-    const double outside = 0.5 * (1.0 - setup_.confidence);
+    const double outside = 0.5 * (1.0 - rivals_.setup().confidence);
     for (const std::size_t h : rivals_.by_likelihood()) {
       Ranked one{.causes = rivals_[h].causes(),
                  .log_odds = rivals_.log_odds(h),
@@ -244,7 +243,8 @@ private:
       out.named.push_back(place_of(out, rivals_[h].causes()));
     }
     const double best = rivals_.log_odds(left.front());
-    const bool alone = left.size() < 2 || rivals_.log_odds(left[1]) < best - std::log(setup_.clear_odds);
+    const bool alone =
+        left.size() < 2 || rivals_.log_odds(left[1]) < best - std::log(rivals_.setup().clear_odds);
     if (alone) {
       out.named.resize(1);
       out.finding = rivals_[left.front()].causes().size() > 1 ? Finding::causes : Finding::cause;
@@ -277,12 +277,14 @@ private:
     const Noise noise{held_out_, *held_out_response_};
     const auto of = [&](std::size_t h) {
       return predicted(rivals_.court(), rivals_[h], rivals_.noise().readings(), rivals_.seen(h),
-                       rivals_.space(), *held_out_response_, setup_.form_tolerance);
+                       rivals_.space(), *held_out_response_, rivals_.setup().form_tolerance);
     };
-    out.held_out = held_out_gain(noise, of(0), of(best), setup_.confidence, setup_.draws, random);
-    const bool contradicted = out.held_out->p < setup_.least_adequacy;
+    out.held_out =
+        held_out_gain(noise, of(0), of(best), rivals_.setup().confidence, rivals_.setup().draws, random);
+    const bool contradicted = out.held_out->p < rivals_.setup().least_adequacy;
     // Both: chance alone puts one prediction nearer than the other, and a vague one is unlikely anyhow.
-    const bool worse = out.held_out->gain.high < 0.0 && out.held_out->log_odds < -std::log(setup_.clear_odds);
+    const bool worse =
+        out.held_out->gain.high < 0.0 && out.held_out->log_odds < -std::log(rivals_.setup().clear_odds);
     if (contradicted || worse) {
       out.finding = Finding::unexplained;
       out.named.clear();
@@ -299,7 +301,6 @@ private:
     }
   }
 
-  DiagnosisSetup setup_;
   std::vector<Measured> held_out_;
   std::optional<ResponseSurface> held_out_response_;
   Rivals rivals_;

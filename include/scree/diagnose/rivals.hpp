@@ -57,6 +57,7 @@ public:
   /// What the measured data say of one.
   [[nodiscard]] const Judgement& seen(std::size_t h) const { return seen_.at(h); }
 
+  [[nodiscard]] const DiagnosisSetup& setup() const { return setup_; }
   [[nodiscard]] const ModelSpace& space() const { return space_; }
   [[nodiscard]] const std::vector<Measured>& measured() const { return measured_; }
   [[nodiscard]] const ResponseSurface& response() const { return response_; }
